@@ -1,0 +1,35 @@
+# tests/: every tests/test_*.c is a cmocka program of its own; `make test` ends with running them all.
+TESTS_DIR      := $(BUILD)/tests
+TESTS_SOURCES  := $(sort $(wildcard tests/test_*.c))
+TESTS_PROGRAMS := $(TESTS_SOURCES:tests/%.c=$(TESTS_DIR)/%)
+TESTS_HELPERS  := $(TESTS_DIR)/ref.o $(TESTS_DIR)/report.o
+# The references must keep their arithmetic whatever CFLAGS the headers are tested with.
+TESTS_REF_FLAGS := -std=gnu99 -O2 -ffp-contract=off -fno-fast-math
+TESTS_LIBS     := -lcmocka -lm
+TESTS_LIBS_test_reference := -lgsl -lgslcblas -lflint-arb -lflint
+
+.PHONY: test-unit $(TESTS_SOURCES:tests/%.c=run-%)
+
+$(TESTS_DIR): ; @mkdir -p $@
+
+$(TESTS_DIR)/%.o: tests/%.c tests/report.h tests/ref.h | $(TESTS_DIR)
+	$(CC) $(TESTS_REF_FLAGS) $(WARN) -Itests -c -o $@ $<
+
+$(TESTS_PROGRAMS): $(TESTS_DIR)/%: tests/%.c $(TESTS_HELPERS) $(wildcard sh_*.h tests/*.h)
+	$(CC) $(CPPFLAGS) $(CFLAGS) $(WARN) -Itests -o $@ $< $(TESTS_HELPERS) $(TESTS_LIBS_$*) $(TESTS_LIBS)
+
+# one of them: make run-test_gradient
+$(TESTS_SOURCES:tests/%.c=run-%): run-%: $(TESTS_DIR)/%
+	$(TESTS_DIR)/$*
+
+define TESTS_RUN_ALL
+@failed=; for t in $(TESTS_PROGRAMS); do echo "== $$t"; ./$$t 2>&1 || failed="$$failed $$t"; done; \
+	if [ -n "$$failed" ]; then echo "FAILED:$$failed"; exit 1; fi
+endef
+
+test-unit: $(TESTS_PROGRAMS)
+	$(TESTS_RUN_ALL)
+
+# The recipe of `test` itself, so that the programs run last and the output ends with cmocka's summary.
+test: $(TESTS_PROGRAMS)
+	$(TESTS_RUN_ALL)
