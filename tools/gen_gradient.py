@@ -1,0 +1,117 @@
+#!/usr/bin/env python3
+"""Write (or, with --check, verify) the table room of sh_gradient.h.
+
+The text between the BEGIN and END lines is a pure function of this file: exact rational
+arithmetic, one square root at 50 digits, 17 significant digits printed."""
+import struct
+import sys
+from fractions import Fraction
+from math import factorial
+
+from mpmath import mp, mpf, pi, sqrt
+
+mp.dps = 50
+TOP = 33            # highest l: 32 bands, and two more for the Hessians of moments
+HORNER_BANDS = 10
+
+
+def odd_factorial(k):                       # (2k-1)!!
+    return Fraction(factorial(2 * k), 2 ** k * factorial(k))
+
+
+def beta(l, m):
+    """q_l = z q_{l-1} - beta q_{l-2}, monic in z; beta_mm = -1 starts the column from q_{m-2} = 1."""
+    return Fraction(-1) if l == m else Fraction((l - 1) ** 2 - m * m, (2 * l - 1) * (2 * l - 3))
+
+
+def norm2(l, m):
+    """(4 pi) J_lm^2 times the square of the leading coefficient of Q_l^m."""
+    lead = odd_factorial(l) / factorial(l - m)
+    return (2 if m else 1) * (2 * l + 1) * Fraction(factorial(l - m), factorial(l + m)) * lead ** 2
+
+
+def norm(l, m):
+    v = norm2(l, m)
+    return sqrt(mpf(v.numerator) / v.denominator / (4 * pi))
+
+
+def horner(m):
+    """Rows d = 0, 1, ...: N q_{m+d}^m = z^(d&1) sum_k row[k] t^k with t = z^2 - 1/2."""
+    rows = []
+    for d in range(HORNER_BANDS - m):
+        l = m + d
+        if d == 0:
+            row = [Fraction(1)]
+        else:
+            row = list(rows[d - 1])
+            if d % 2 == 0:                  # z * z R(t) = (t + 1/2) R(t)
+                row = [a / 2 + b for a, b in zip(row + [Fraction(0)], [Fraction(0)] + row)]
+            if d > 1:
+                for k, v in enumerate(rows[d - 2]):
+                    row[k] -= beta(l, m) * v
+        rows.append(row)
+    return [[mpf(v.numerator) / v.denominator * norm(m + d, m) for v in row] for d, row in enumerate(rows)]
+
+
+def to_float(x):
+    return struct.unpack("f", struct.pack("f", x))[0]
+
+
+def digits(exact):
+    text = repr(float(exact))
+    bits = struct.unpack("I", struct.pack("f", float(exact)))[0]
+    near = [struct.unpack("f", struct.pack("I", max(bits + d, 0)))[0] for d in (-1, 0, 1)]
+    best = min(near, key=lambda v: abs(mpf(v) - exact))
+    assert to_float(float(exact)) == best, f"{text}: rounding through double misses the nearest float"
+    return text
+
+
+def table(name, size, comment, values):
+    assert len(values) == size
+    out = [f"/* {comment} */", f"static const SHI_T SHI_FN({name})[{size}] = {{"]
+    line = "   "
+    for v in values:
+        item = f" SHI_C({digits(v)}),"
+        if len(line) + len(item) > 108:
+            out.append(line)
+            line = "   "
+        line += item
+    return "\n".join(out + [line.rstrip(","), "};"])
+
+
+def frac(f):
+    return mpf(f.numerator) / f.denominator
+
+
+def block():
+    pairs = [(l, m) for l in range(TOP + 1) for m in range(l + 1)]
+    flat = [v for m in range(HORNER_BANDS) for row in horner(m) for v in row]
+    return "\n".join([
+        table("shi_beta", len(pairs), "[l(l+1)/2 + m]: q_l = z q_{l-1} - beta q_{l-2}; (l,l) holds -1, the seed of a column",
+              [frac(beta(l, m)) for l, m in pairs]),
+        table("shi_norm", len(pairs), "[l(l+1)/2 + m]: Y_lm = norm q_l^m(z) Re or Im (x+iy)^m", [norm(l, m) for l, m in pairs]),
+        table("shi_root", 72, "[k]: sqrt(k)", [sqrt(mpf(k)) for k in range(72)]),
+        table("shi_inverse_root", TOP + 3, "[l]: 1/sqrt(4 l^2 - 1), l >= 1",
+              [mpf(0)] + [1 / sqrt(mpf(4 * l * l - 1)) for l in range(1, TOP + 3)]),
+        table("shi_zonal", TOP + 1, "[l]: Y_l0(+z) = sqrt((2l+1)/(4 pi))", [sqrt((2 * l + 1) / (4 * pi)) for l in range(TOP + 1)]),
+        table("shi_horner", len(flat), f"m, then d = l-m, then k <= d/2 for {HORNER_BANDS} bands: norm q_l^m = z^(d&1) sum_k c_k (z^2 - 1/2)^k",
+              flat),
+    ])
+
+
+def main():
+    path = "sh_gradient.h"
+    with open(path) as f:
+        text = f.read()
+    a, b = "/* BEGIN tools/gen_gradient.py */\n", "\n/* END tools/gen_gradient.py */"
+    i, j = text.index(a) + len(a), text.index(b)
+    if "--check" in sys.argv:
+        if text[i:j] != block():
+            sys.exit(f"{path}: tables are not what tools/gen_gradient.py prints; run make tables")
+        print(f"{path}: tables are current")
+    else:
+        with open(path, "w") as f:
+            f.write(text[:i] + block() + text[j:])
+
+
+main()

@@ -1,0 +1,18 @@
+# tools/: what `make deps` and `make install` do.
+PREFIX  ?= /usr/local
+VERSION := $(shell sed -n 's/^\# *define SH_VERSION_M[AI][JN]OR *\([0-9]*\).*/\1./p; s/^\# *define SH_VERSION_PATCH *\([0-9]*\).*/\1/p' \
+	sh_gradient.h 2>/dev/null | tr -d '\n')
+
+deps:
+	@sh tools/deps.sh
+
+# Headers, pkg-config file and CMake package: the same files as `cmake --install` puts there.
+install:
+	install -d "$(DESTDIR)$(PREFIX)/include/shlight" "$(DESTDIR)$(PREFIX)/lib/pkgconfig" \
+		"$(DESTDIR)$(PREFIX)/lib/cmake/shlight"
+	install -m 644 $(wildcard $(HEADERS)) "$(DESTDIR)$(PREFIX)/include/shlight"
+	sed -e 's|@PREFIX@|$(PREFIX)|' -e 's|@VERSION@|$(VERSION)|' shlight.pc.in \
+		>"$(DESTDIR)$(PREFIX)/lib/pkgconfig/shlight.pc"
+	sed 's|@VERSION@|$(VERSION)|' tools/shlightConfigVersion.cmake.in \
+		>"$(DESTDIR)$(PREFIX)/lib/cmake/shlight/shlightConfigVersion.cmake"
+	install -m 644 tools/shlightConfig.cmake "$(DESTDIR)$(PREFIX)/lib/cmake/shlight"
