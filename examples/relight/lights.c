@@ -1,0 +1,60 @@
+/* lights.c - where the spheres hang: a sunset of one sphere per texel, and strings of coloured bulbs. */
+#include "relight.h"
+
+#include <stdlib.h>
+
+static void hang(lights *l, int i, vec3 at, float radius, vec3 radiance)
+{
+    const int n = l->count;
+    const float sphere[4] = { at.x, at.y, at.z, radius }, rgb[3] = { radiance.x, radiance.y, radiance.z };
+    int k;
+    for (k = 0; k < 4; k++) l->sphere[k * n + i] = sphere[k];
+    for (k = 0; k < 3; k++) l->radiance[k * n + i] = rgb[k];
+}
+
+static vec3 mix(vec3 a, vec3 b, float t) { return mad(mul(a, 1 - t), b, t); }
+
+/* The picture: the sun going down behind two ranges of hills. u to the right, v up, 0 to 1. */
+static vec3 sunset(float u, float v)
+{
+    const vec3 zenith = vec(0.04f, 0.05f, 0.32f), rose = vec(0.80f, 0.11f, 0.24f), gold = vec(1.6f, 0.55f, 0.06f);
+    const float near = 0.16f + 0.10f * sinf(7 * u + 0.6f) + 0.03f * sinf(19 * u);
+    const float far = 0.32f + 0.07f * sinf(9 * u + 2.6f) + 0.04f * sinf(23 * u + 1);
+    const float x = (u - 0.37f) * 16 / 9, y = v - 0.46f, up = fmaxf(v - 0.25f, 0) / 0.75f;
+
+    if (v < near) return vec(0.02f, 0.05f, 0.10f);
+    if (v < far) return mix(vec(0.10f, 0.05f, 0.22f), vec(0.42f, 0.10f, 0.22f), v / far);
+    if (x * x + y * y < 0.24f * 0.24f) return vec(4.0f, 2.3f, 0.8f);
+    return up < 0.45f ? mix(gold, rose, up / 0.45f) : mix(rose, zenith, (up - 0.45f) / 0.55f);
+}
+
+/* Four fifths of the spheres make the picture, the rest six strings of bulbs across the room, warm on the left, cold
+ * on the right. The camera sees the last two; the first are footlights, the others hang above its view. All keep about
+ * a cell of an 8^3 grid away from floor and walls: nearer ones are to be evaluated directly, at every point. */
+void lights_hang(lights *l, int count, vec3 low, vec3 high)
+{
+    static const struct { float y, z, sag, power; } string[6] = { {-0.16f, 0.06f, 0, 8}, {0.02f, 0.97f, 0.06f, 30},
+        {0.12f, 0.97f, 0.06f, 30}, {0.30f, 0.97f, 0.06f, 30}, {0.62f, 0.98f, 0.30f, 12}, {0.70f, 0.93f, 0.10f, 12} };
+    static const vec3 hue[5] = { {1.0f, 0.20f, 0.06f}, {1.0f, 0.50f, 0.12f}, {1.0f, 0.78f, 0.50f},
+                                 {0.30f, 0.50f, 1.0f}, {0.08f, 0.65f, 0.85f} };
+    const int rows = (int)sqrtf((float)count * 0.8f * 9 / 16), columns = rows * 16 / 9;
+    const int texels = rows * columns, bulbs = count - texels;
+    const vec3 size = sub(high, low);
+    const float width = 0.54f * size.x;
+    int i;
+
+    l->count = count;
+    l->sphere = need(NULL, 4 * (size_t)count, sizeof *l->sphere);
+    l->radiance = need(NULL, 3 * (size_t)count, sizeof *l->radiance);
+    for (i = 0; i < texels; i++) {
+        const float u = ((float)(i % columns) + 0.5f) / (float)columns, v = ((float)(i / columns) + 0.5f) / (float)rows;
+        hang(l, i, vec(low.x + 0.14f * size.x + u * width, low.y + 0.78f * size.y, low.z + 0.22f * size.z + v * width * 9 / 16),
+             0.42f * width / (float)columns, mul(sunset(u, v), 0.6f));
+    }
+    for (i = 0; i < bulbs; i++) {
+        const int s = 5 - i % 6, k = i / 6, on = (bulbs + s) / 6;
+        const float t = ((float)k + 0.5f) / (float)on, h = 3.999f * t, sag = string[s].sag * 4 * t * (1 - t);
+        hang(l, texels + i, vec(low.x + size.x * (0.14f + 0.72f * t), low.y + size.y * string[s].y, low.z + size.z * (string[s].z - sag)),
+             0.007f * size.x, mul(mix(hue[(int)h], hue[(int)h + 1], h - floorf(h)), string[s].power));
+    }
+}

@@ -1,0 +1,203 @@
+/* relight.c - hundreds of coloured spheres light a teapot through a small grid of spherical harmonics. */
+#include "relight.h"
+#include "sh_interp.h"
+
+#include <stdarg.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#if defined(_OPENMP)
+#  include <omp.h>
+#endif
+#if defined(__unix__) || defined(__APPLE__)
+#  include <unistd.h>
+#endif
+
+static const char help[] =
+    "usage: relight [options]\n"
+    "Lights a mesh in a room by spheres, through a grid of spherical-harmonics coefficients and gradients, by every\n"
+    "scheme of sh_interp.h; compares each with the coefficients computed at every pixel, and writes PREFIX.png (the\n"
+    "picture) and PREFIX-error.png (100 x the absolute error of each scheme).\n"
+    "  --mesh FILE     an OBJ file in place of the teapot\n"
+    "  --up y|z        its upward axis [y]\n"
+    "  --lights N      spheres, 1 or more [900]\n"
+    "  --grid N        nodes along each axis of the grid, 2 or more [8]\n"
+    "  --bands N       bands of the light, 1 to 9 [a table for 5 and one for 9]\n"
+    "  --size WxH      of the picture [960x540]\n"
+    "  --out PREFIX    of the files [build/demo]\n"
+    "  --threads N     [all]\n"
+    "  --quick         coarse geometry and shadows, for tests\n"
+    "  --help\n";
+
+void die(const char *format, ...)
+{
+    va_list args;
+    va_start(args, format);
+    fprintf(stderr, "relight: ");
+    vfprintf(stderr, format, args);
+    fprintf(stderr, "\n");
+    va_end(args);
+    exit(2);
+}
+
+/* New memory is zero. */
+void *need(void *old, size_t count, size_t size)
+{
+    void *p = old ? realloc(old, (count ? count : 1) * size) : calloc(count ? count : 1, size);
+    if (!p) die("out of memory");
+    return p;
+}
+
+void progress(const char *what, double done)
+{
+#if defined(__unix__) || defined(__APPLE__)
+    if (!isatty(STDERR_FILENO)) return;
+    if (done < 1) fprintf(stderr, "\r%-24s %3.0f%%", what, 100 * done);
+    else fprintf(stderr, "\r%30s\r", "");
+#else
+    (void)what; (void)done;
+#endif
+}
+
+typedef struct { const char *mesh, *out; int lights, grid, bands, width, height, threads, quick; char up; } options;
+
+static int number(const char *option, const char *text, int low, int high)
+{
+    char *end;
+    const long v = strtol(text, &end, 10);
+    if (end == text || *end || v < low || v > high) die("%s takes a number from %d to %d, not '%s'", option, low, high, text);
+    return (int)v;
+}
+
+static options parse(int argc, char **argv)
+{
+    options o;
+    int i;
+
+    memset(&o, 0, sizeof o);
+    o.out = "build/demo"; o.lights = 900; o.grid = 8; o.width = 960; o.height = 540; o.up = 'y';
+    for (i = 1; i < argc; i++) {
+        const char *name = argv[i], *value = i + 1 < argc ? argv[i + 1] : NULL;
+        if (!strcmp(name, "--help")) { fputs(help, stdout); exit(0); }
+        if (!strcmp(name, "--quick")) { o.quick = 1; continue; }
+        if (strcmp(name, "--mesh") && strcmp(name, "--up") && strcmp(name, "--lights") && strcmp(name, "--grid")
+            && strcmp(name, "--bands") && strcmp(name, "--size") && strcmp(name, "--out") && strcmp(name, "--threads"))
+            die("unknown option '%s'; --help lists them", name);
+        if (!value) die("%s takes a value; --help lists the options", name);
+        i++;
+        if (!strcmp(name, "--mesh")) o.mesh = value;
+        if (!strcmp(name, "--out")) o.out = value;
+        if (!strcmp(name, "--lights")) o.lights = number(name, value, 1, 1000000);
+        if (!strcmp(name, "--grid")) o.grid = number(name, value, 2, 128);
+        if (!strcmp(name, "--bands")) o.bands = number(name, value, 1, BANDS);
+        if (!strcmp(name, "--threads")) o.threads = number(name, value, 1, 4096);
+        if (!strcmp(name, "--up")) {
+            if (strcmp(value, "y") && strcmp(value, "z")) die("--up takes y or z, not '%s'", value);
+            o.up = value[0];
+        }
+        if (!strcmp(name, "--size")) {
+            char end;
+            if (sscanf(value, "%dx%d%c", &o.width, &o.height, &end) != 2 || o.width < 8 || o.height < 8
+                || o.width > 8192 || o.height > 8192)
+                die("--size takes WIDTHxHEIGHT, each from 8 to 8192, not '%s'", value);
+        }
+    }
+    return o;
+}
+
+static double mean_difference(const float *a, const float *b, size_t values)
+{
+    double sum = 0;
+    size_t i;
+    for (i = 0; i < values; i++) sum += (double)fabsf(a[i] - b[i]);
+    return sum / (double)values;
+}
+
+static void compare(const scene *s, const options *o, int bands, const char *file)
+{
+    method at[] = {
+        { "per pixel",           PER_POINT,          0,       0,            0, 0, 0, NULL },
+        { "trilinear",           SH_TRILINEAR,       o->grid, SH_VALUES,    0, 0, 0, NULL },
+        { "trilinear",           SH_TRILINEAR,   2 * o->grid, SH_VALUES,    0, 0, 0, NULL },
+        { "half Taylor",         SH_HALF_TAYLOR,     o->grid, SH_GRADIENT,  0, 0, 0, NULL },
+        { "blended Taylor",      SH_BLENDED_TAYLOR,  o->grid, SH_GRADIENT,  0, 0, 0, NULL },
+        { "Hermite, no mixed",   SH_HERMITE_ZERO,    o->grid, SH_GRADIENT,  0, 0, 0, NULL },
+        { "Hermite, mixed",      SH_HERMITE_MIXED,   o->grid, SH_GRADIENT,  0, 0, 0, NULL },
+        { "edge Hermite",        SH_EDGE_HERMITE,    o->grid, SH_GRADIENT,  0, 0, 0, NULL },
+        { "blended Taylor 2",    SH_BLENDED_TAYLOR2, o->grid, SH_HESSIAN,   0, 0, 0, NULL },
+    };
+    enum { METHODS = sizeof at / sizeof *at };
+    const size_t values = 3 * (size_t)o->width * (size_t)o->height;
+    const int shrink = o->width >= 640 ? 2 : 1, width = o->width / shrink, height = o->height / shrink;
+    float exposure, *reference;
+    sheet errors = sheet_new(3 * width, 3 * (height + LABEL));
+    char text[256];
+    int i;
+
+    shade(s, bands, at, METHODS);
+    exposure = picture_exposure(s->w, at[0].rgb);
+    reference = picture_develop(s->w, at[0].rgb, exposure);
+    printf("\n%d spheres, %d bands, %d x %d pixels, %d points shaded\n", s->l->count, bands, o->width, o->height, s->w->count);
+    printf("%-20s %5s %10s %10s %10s %9s\n", "scheme", "nodes", "build ms", "shade ms", "MAE x 1e3", "speed-up");
+    for (i = 0; i < METHODS; i++) {
+        float *picture = picture_develop(s->w, at[i].rgb, exposure);
+        const int left = i % 3 * width, top = i / 3 * (height + LABEL);
+        char nodes[16] = "-";
+        size_t k;
+
+        at[i].error = mean_difference(picture, reference, values);
+        if (at[i].nodes) sprintf(nodes, "%d^3", at[i].nodes);
+        printf("%-20s %5s %10.2f %10.2f %10.3f %8.1fx\n", at[i].name, nodes, 1e3 * at[i].build, 1e3 * at[i].shade,
+               1e3 * at[i].error, at[0].shade / (at[i].build + at[i].shade));
+        if (at[i].scheme == SH_EDGE_HERMITE) {
+            sheet whole = sheet_new(o->width, o->height);
+            sprintf(text, "%.200s.png", file);
+            sheet_paste(&whole, 0, 0, picture, o->width, o->height, 1);
+            sheet_write(&whole, text);
+        }
+        for (k = 0; i > 0 && k < values; k++) picture[k] = 100 * fabsf(picture[k] - reference[k]);
+        sheet_paste(&errors, left, top + LABEL, picture, o->width, o->height, shrink);
+        if (i == 0) sprintf(text, "%d bands per pixel; 100 x the error of:", bands);
+        else sprintf(text, "%s %s  MAE %.3f / 1000", at[i].name, nodes, 1e3 * at[i].error);
+        sheet_label(&errors, left, top, width, text);
+        free(picture);
+        free(at[i].rgb);
+    }
+    sprintf(text, "%.200s-error.png", file);
+    sheet_write(&errors, text);
+    free(reference);
+}
+
+int main(int argc, char **argv)
+{
+    const options o = parse(argc, argv);
+    const vec3 low = vec(-7, -5, 0), high = vec(5, 5, 6.5f);
+    const camera c = { {-1.8f, -13.6f, 3.5f}, {-0.9f, 0, 2.35f}, 0.80f };
+    mesh m;
+    lights l;
+    view w;
+    scene s;
+    int casters, bands;
+
+#if defined(_OPENMP)
+    if (o.threads) omp_set_num_threads(o.threads);
+#endif
+    memset(&m, 0, sizeof m);
+    if (o.mesh) mesh_read_obj(&m, o.mesh, o.up);
+    else mesh_teapot(&m, o.quick ? 8 : 20);
+    mesh_place(&m, -0.5f, vec(6.0f, 5.0f, 3.2f));
+    casters = m.triangles;
+    mesh_add_room(&m, low, high, o.quick ? 0.5f : 0.125f);
+    lights_hang(&l, o.lights, low, high);
+    view_trace(&w, &c, &m, &l, o.width, o.height);
+    picture_glow(&w);
+
+    s.m = &m; s.l = &l; s.w = &w; s.low = low; s.high = high;
+    s.blocked = trace_blocked(&m, casters, BANDS, o.quick ? 128 : 1024);
+    for (bands = 5; bands <= 9; bands += 4)
+        if (!o.bands) compare(&s, &o, bands, o.out);
+    if (o.bands) compare(&s, &o, o.bands, o.out);
+
+    free(m.v); free(m.t); free(l.sphere); free(l.radiance); free(w.at); free(w.glow); free((void *)(size_t)s.blocked);
+    return 0;
+}
