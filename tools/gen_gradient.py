@@ -93,6 +93,7 @@ def block():
         table("shi_root", 72, "[k]: sqrt(k)", [sqrt(mpf(k)) for k in range(72)]),
         table("shi_inverse_root", TOP + 3, "[l]: 1/sqrt(4 l^2 - 1), l >= 1",
               [mpf(0)] + [1 / sqrt(mpf(4 * l * l - 1)) for l in range(1, TOP + 3)]),
+        table("shi_reciprocal", TOP + 3, "[l]: 1/l, l >= 1", [mpf(0)] + [1 / mpf(l) for l in range(1, TOP + 3)]),
         table("shi_zonal", TOP + 1, "[l]: Y_l0(+z) = sqrt((2l+1)/(4 pi))", [sqrt((2 * l + 1) / (4 * pi)) for l in range(TOP + 1)]),
         table("shi_horner", len(flat), f"m, then d = l-m, then k <= d/2 for {HORNER_BANDS} bands: norm q_l^m = z^(d&1) sum_k c_k (z^2 - 1/2)^k",
               flat),

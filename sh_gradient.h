@@ -1,0 +1,2650 @@
+/* sh_gradient.h - spherical harmonics, their derivatives, and the light of spheres
+ *
+ * USE
+ *     #include "sh_gradient.h"      copy this one file; no other file, no implementation macro, libm only
+ *
+ * CONVENTIONS (shared by every sh_*.h)
+ *     basis      real, orthonormal over the sphere, z polar: integral of Y_i Y_j = [i == j]
+ *     index      i = l(l+1) + m, l = 0 .. bands-1, m = -l .. l; N = bands^2 coefficients
+ *     sign       Sloan's: the Condon-Shortley factor (-1)^m is in, so Y_1 = 0.48860 (-y, +z, -x)
+ *     precision  every function exists as _f32 and _f64, from the same lines
+ *     gradient   of lights: by the shading point; of the basis: by the vector v in Y(v/|v|)
+ *     planes     [1][N] value; [3][N] d/dx d/dy d/dz; [6][N] xx xy xz yy yz zz
+ *     light      unit radiance unless a radiance is passed
+ *
+ * FUNCTIONS                                           one item; _n many, plain layout; _blocks many, blocked
+ *     sh_eval, _n, _blocks                            basis values
+ *     sh_eval_grad, _n, _blocks                       ... and Cartesian gradient, no pole, any length of v
+ *     sh_eval_hessian, _n, _blocks                    ... and Hessian
+ *     sh_eval_angles, _n                              ... and derivatives by theta and phi (M22)
+ *     sh_reconstruct, _n                              sum c_i Y_i and its gradient, basis never stored
+ *     sh_project_n                                    sum of weighted samples
+ *     sh_light_field                                  samples with depth and normal: coefficients and gradient (A04)
+ *     sh_zonal_cap, sh_zonal_rotate, sh_zonal_light   caps, zonal harmonics to any axis, any f(distance)
+ *     sh_sphere, sh_sphere_hessian                    one spherical light
+ *     sh_spheres, _n, _grid                           sums of many, with radiance per channel
+ *     sh_status_string                                what a returned status means
+ *
+ * STATUS
+ *     0 SH_OK; < 0 an error, outputs untouched; > 0 a defined degenerate case. In the _n and _blocks forms a bad
+ *     direction leaves its own outputs untouched, the others are written, and the call returns the error.
+ *     Nothing prints, allocates, sets errno or keeps state.
+ *
+ * CONFIG (define before the first include)
+ *     SH_API                storage of public functions              [static inline]
+ *     SH_VECTOR_BYTES       0, 16, 32: register width                [widest the compiler targets]
+ *     SH_WIDE_BYTES         the same or 64: width for sums           [64 with AVX-512F]
+ *     SH_GRADIENT_FILENAME  the name this file has in your tree      ["sh_gradient.h"]
+ *     The widths follow the compiler's target; fused multiply-add needs -ffp-contract=fast (the GNU dialects' default).
+ *
+ * DOES NOT
+ *     denormal or overflowing geometry: lengths from 1e-18 to 1e18 in float (1e-150 .. 1e150 in double)
+ *     bit-identity between instruction sets or compilers; within one build a batch has the bits of its single items
+ *
+ * SOURCES
+ *     M22   Mezieres et al. 2022, spherical lights and SH gradients (equation numbers are theirs)
+ *     A04   Annen et al. 2004, spherical harmonic gradients for mid-range illumination
+ *     S13   Sloan 2013, efficient spherical harmonic evaluation
+ *
+ * ERRORS in comments: eps = FLT_EPSILON or DBL_EPSILON, M_l = sqrt((2l+1)/(4 pi)), G_l = sqrt(l(l+1)(2l+1)/(8 pi)).
+ *
+ * HOW THIS FILE WORKS
+ *     It includes itself. SHI_ROOM names the part being compiled: kernels once per lane type (a scalar, or a GCC/Clang
+ *     vector), tables and public functions once per precision. Kernels use operators and the leaf operations only.
+ */
+#if !defined(SHI_ROOM)
+#ifndef SH_GRADIENT_H
+#define SH_GRADIENT_H
+
+#include <math.h>
+#include <stddef.h>
+#include <string.h>
+
+#define SH_VERSION_MAJOR 1
+#define SH_VERSION_MINOR 0
+#define SH_VERSION_PATCH 0
+
+enum { SH_MAX_BANDS = 32 };                             /* basis, lights, interpolation                         */
+enum { SH_BLOCK = 8 };                                  /* items in a block of the blocked layout, every ISA    */
+enum { SH_VALUES = 1, SH_GRADIENT = 4, SH_HESSIAN = 10 };   /* planes of N: value; + gradient; + Hessian        */
+
+enum {
+    SH_ON_LIGHT = 2,                /* the point lies on a polygon light                                        */
+    SH_INSIDE = 1,                  /* the point lies on or inside a sphere light                               */
+    SH_OK = 0,
+    SH_ERROR_NULL = -1,             /* a required pointer is NULL                                               */
+    SH_ERROR_BANDS = -2,            /* bands outside the function's range                                       */
+    SH_ERROR_COUNT = -3,            /* a count, number of channels or planes is not valid                       */
+    SH_ERROR_OVERLAP = -4,          /* input and output overlap                                                 */
+    SH_ERROR_DIRECTION = -5,        /* zero direction, or a length out of range                                 */
+    SH_ERROR_NOT_FINITE = -6,       /* NaN or infinity in geometry                                              */
+    SH_ERROR_RADIUS = -7,           /* negative radius, or an angle out of range                                */
+    SH_ERROR_VERTICES = -8,         /* fewer than three vertices                                                */
+    SH_ERROR_MATRIX = -9,           /* not a rotation                                                           */
+    SH_ERROR_OPTION = -10,          /* unknown option                                                           */
+    SH_ERROR_GRID = -11             /* an axis without nodes, or a cell size that is not positive               */
+};
+
+/* ---- configuration ---- */
+
+#if defined(__GNUC__) && !defined(__TINYC__)
+#  define SHI_INLINE   static __inline__ __attribute__((__unused__))
+#  define SHI_KERNEL   static __inline__ __attribute__((__always_inline__, __unused__))
+#  define SHI_NOINLINE static __attribute__((__noinline__, __unused__))
+#  define SHI_RESTRICT __restrict__
+#elif defined(_MSC_VER)
+#  define SHI_INLINE   static __inline
+#  define SHI_KERNEL   static __forceinline
+#  define SHI_NOINLINE static __declspec(noinline)
+#  define SHI_RESTRICT __restrict
+#else
+#  define SHI_INLINE   static inline
+#  define SHI_KERNEL   static inline
+#  define SHI_NOINLINE static inline
+#  define SHI_RESTRICT
+#endif
+#ifndef SH_API
+#  define SH_API SHI_INLINE
+#endif
+
+#ifndef SH_VECTOR_BYTES
+#  if !defined(__GNUC__) || defined(__TINYC__)
+#    define SH_VECTOR_BYTES 0
+#  elif defined(__AVX__)
+#    define SH_VECTOR_BYTES 32
+#  elif defined(__SSE2__) || defined(__aarch64__) || defined(__wasm_simd128__)
+#    define SH_VECTOR_BYTES 16
+#  else
+#    define SH_VECTOR_BYTES 0
+#  endif
+#endif
+#ifndef SH_WIDE_BYTES
+#  if SH_VECTOR_BYTES == 32 && defined(__AVX512F__)
+#    define SH_WIDE_BYTES 64
+#  else
+#    define SH_WIDE_BYTES SH_VECTOR_BYTES
+#  endif
+#endif
+#ifndef SH_GRADIENT_FILENAME
+#  define SH_GRADIENT_FILENAME "sh_gradient.h"
+#endif
+
+#if defined(__clang__)
+#  define SHI_UNROLL _Pragma("clang loop unroll(full)")
+#elif defined(__GNUC__) && __GNUC__ >= 8
+#  define SHI_UNROLL _Pragma("GCC unroll 64")
+#else
+#  define SHI_UNROLL
+#endif
+#if defined(__aarch64__) || defined(__AVX512VL__)
+#  define SHI_REGISTERS 32
+#else
+#  define SHI_REGISTERS 16
+#endif
+#if defined(__has_builtin)
+#  if __has_builtin(__builtin_elementwise_sqrt)
+#    define SHI_SQRT_ELEMENTWISE
+#  endif
+#  if __has_builtin(__builtin_shufflevector)
+#    define SHI_SHUFFLE
+#  endif
+#endif
+
+#define SHI_STAGE 32768                                 /* bytes of stack a plain batch may use */
+#define SHI_HORNER_BANDS 10
+#define SHI_ROWS(l, m) ((l) * ((l) + 1) / 2 + (m))      /* index into shi_beta, shi_norm */
+
+#define SHI_CAT_(a, b) a##b
+#define SHI_CAT(a, b)  SHI_CAT_(a, b)
+
+/* ---- rooms ---- */
+
+#define SHI_INSTANTIATE 1       /* compile the rooms of SHI_FILE for every precision and lane type              */
+#define SHI_PRECISION   2       /* ... for one precision, SHI_BITS                                              */
+#define SHI_LANE_TYPE   3       /* ... for one lane type, SHI_LANES                                             */
+#define SHI_TABLES      4       /* once per precision                                                           */
+#define SHI_KERNELS     5       /* once per lane type                                                           */
+#define SHI_BASIS       6       /* the basis kernels, twice per lane type: unrolled, and for any band count     */
+#define SHI_PUBLIC      7       /* once per precision                                                           */
+
+/* what each status means, for people */
+SH_API const char *sh_status_string(int status)
+{
+    switch (status) {
+    case SH_ON_LIGHT:         return "point on a polygon light";
+    case SH_INSIDE:           return "point on or inside a sphere light";
+    case SH_OK:               return "ok";
+    case SH_ERROR_NULL:       return "required pointer is NULL";
+    case SH_ERROR_BANDS:      return "number of bands out of range";
+    case SH_ERROR_COUNT:      return "count out of range";
+    case SH_ERROR_OVERLAP:    return "input and output overlap";
+    case SH_ERROR_DIRECTION:  return "direction is zero or its length out of range";
+    case SH_ERROR_NOT_FINITE: return "NaN or infinite input";
+    case SH_ERROR_RADIUS:     return "radius or angle out of range";
+    case SH_ERROR_VERTICES:   return "polygon has fewer than three vertices";
+    case SH_ERROR_MATRIX:     return "matrix is not a rotation";
+    case SH_ERROR_OPTION:     return "unknown option";
+    case SH_ERROR_GRID:       return "grid axis without nodes or cell size not positive";
+    default:                  return "unknown status";
+    }
+}
+
+/* 1 if the byte ranges share a byte; a NULL range shares none */
+SHI_INLINE int shi_overlap(const void *a, size_t a_bytes, const void *b, size_t b_bytes)
+{
+    const char *p = (const char *)a, *q = (const char *)b;
+    return p && q && p < q + b_bytes && q < p + a_bytes;
+}
+
+#define SHI_FILE SH_GRADIENT_FILENAME
+#define SHI_ROOM SHI_INSTANTIATE
+#include SH_GRADIENT_FILENAME
+
+#endif /* SH_GRADIENT_H */
+
+/* ================================================================================================================
+ * Instantiation: SHI_FILE's rooms for every precision and lane type. Every sh_*.h enters here.
+ * ============================================================================================================= */
+#elif SHI_ROOM == SHI_INSTANTIATE
+
+#undef  SHI_ROOM
+#define SHI_ROOM SHI_PRECISION
+#define SHI_BITS 32
+#include SH_GRADIENT_FILENAME
+#undef  SHI_BITS
+#define SHI_BITS 64
+#include SH_GRADIENT_FILENAME
+#undef  SHI_BITS
+#undef  SHI_ROOM
+#undef  SHI_FILE
+
+#elif SHI_ROOM == SHI_PRECISION
+
+#if SHI_BITS == 32
+#  define SHI_T         float
+#  define SHI_I         int
+#  define SHI_FN(name)  SHI_CAT(name, _f32)
+#  define SHI_EPS       1.1920929e-7f
+#  define SHI_MIN2      1e-36f              /* range of a squared length */
+#  define SHI_MAX2      1e37f
+#  define SHI_NEAR      4e-3f               /* | |v|^2 - 1 | below which two Newton terms normalise v */
+#  define SHI_LIBM(name) SHI_CAT(name, f)
+#else
+#  define SHI_T         double
+#  define SHI_I         long long
+#  define SHI_FN(name)  SHI_CAT(name, _f64)
+#  define SHI_EPS       2.220446049250313e-16
+#  define SHI_MIN2      1e-301
+#  define SHI_MAX2      1e301
+#  define SHI_NEAR      4e-6
+#  define SHI_LIBM(name) name
+#endif
+#define SHI_C(c)        ((SHI_T)(c))
+
+#define SHI_ONE(name)   SHI_CAT(SHI_FN(name), x1)
+
+#undef  SHI_ROOM
+#define SHI_ROOM SHI_TABLES
+#include SHI_FILE
+
+#undef  SHI_ROOM
+#define SHI_ROOM SHI_LANE_TYPE
+#define SHI_BYTES (SHI_BITS / 8)
+#define SHI_LANES 1
+#include SH_GRADIENT_FILENAME
+#undef  SHI_LANES
+#undef  SHI_BYTES
+#if SH_VECTOR_BYTES
+#  define SHI_BYTES SH_VECTOR_BYTES
+#  if SH_VECTOR_BYTES * 8 / SHI_BITS == 2
+#    define SHI_LANES 2
+#  elif SH_VECTOR_BYTES * 8 / SHI_BITS == 4
+#    define SHI_LANES 4
+#  else
+#    define SHI_LANES 8
+#  endif
+#  define SHI_MANY_LANES SHI_LANES
+#  include SH_GRADIENT_FILENAME
+#  undef  SHI_LANES
+#  undef  SHI_BYTES
+#  undef  SHI_MANY_LANES
+#endif
+#if SH_WIDE_BYTES > SH_VECTOR_BYTES
+#  define SHI_BYTES SH_WIDE_BYTES
+#  if SH_WIDE_BYTES * 8 / SHI_BITS == 8
+#    define SHI_LANES 8
+#  else
+#    define SHI_LANES 16
+#  endif
+#  include SH_GRADIENT_FILENAME
+#  undef  SHI_LANES
+#  undef  SHI_BYTES
+#endif
+
+/* kernels by lane type: SHI_ONE one lane, SHI_MANY a register, SHI_WIDE the widest register */
+#if SH_VECTOR_BYTES == 0
+#  define SHI_MANY(name) SHI_ONE(name)
+#elif SH_VECTOR_BYTES * 8 / SHI_BITS == 2
+#  define SHI_MANY(name) SHI_CAT(SHI_FN(name), x2)
+#elif SH_VECTOR_BYTES * 8 / SHI_BITS == 4
+#  define SHI_MANY(name) SHI_CAT(SHI_FN(name), x4)
+#else
+#  define SHI_MANY(name) SHI_CAT(SHI_FN(name), x8)
+#endif
+#if SH_WIDE_BYTES == SH_VECTOR_BYTES
+#  define SHI_WIDE(name) SHI_MANY(name)
+#elif SHI_BITS == 32
+#  define SHI_WIDE(name) SHI_CAT(SHI_FN(name), x16)
+#else
+#  define SHI_WIDE(name) SHI_CAT(SHI_FN(name), x8)
+#endif
+#undef  SHI_ROOM
+#define SHI_ROOM SHI_PUBLIC
+#include SHI_FILE
+
+#undef SHI_ONE
+#undef SHI_MANY
+#undef SHI_WIDE
+#undef SHI_T
+#undef SHI_I
+#undef SHI_FN
+#undef SHI_EPS
+#undef SHI_MIN2
+#undef SHI_MAX2
+#undef SHI_NEAR
+#undef SHI_LIBM
+#undef SHI_C
+#undef  SHI_ROOM
+#define SHI_ROOM SHI_PRECISION
+
+#elif SHI_ROOM == SHI_LANE_TYPE
+
+#define SHI_W           SHI_LANES
+#define SHI_KN(name)    SHI_CAT(SHI_CAT(SHI_FN(name), x), SHI_LANES)
+#define SHI_V           SHI_KN(shi_vector)
+#define SHI_M           SHI_KN(shi_mask)
+#define SHI_SPLAT(s)    SHI_KN(shi_splat)(s)
+#define SHI_LOAD(p)     SHI_KN(shi_load)(p)
+#define SHI_STORE(p, v) SHI_KN(shi_store)(p, v)
+#define SHI_SQRT(v)     SHI_KN(shi_sqrt)(v)
+#define SHI_ABS(v)      SHI_KN(shi_abs)(v)
+#define SHI_SUM(v)      SHI_KN(shi_sum)(v)
+#define SHI_ANY(m)      SHI_KN(shi_any)(m)
+#define SHI_BITS_OF(v)  SHI_KN(shi_bits)(v)
+#if SHI_LANES == 1
+#  define SHI_SELECT(m, a, b) ((m) ? (a) : (b))
+#else
+#  define SHI_SELECT(m, a, b) ((SHI_V)(((m) & (SHI_M)(a)) | (~(m) & (SHI_M)(b))))
+#endif
+
+#undef  SHI_ROOM
+#define SHI_ROOM SHI_KERNELS
+#include SHI_FILE
+
+#undef SHI_W
+#undef SHI_KN
+#undef SHI_V
+#undef SHI_M
+#undef SHI_SPLAT
+#undef SHI_LOAD
+#undef SHI_STORE
+#undef SHI_SQRT
+#undef SHI_ABS
+#undef SHI_SUM
+#undef SHI_ANY
+#undef SHI_BITS_OF
+#undef SHI_SELECT
+#undef  SHI_ROOM
+#define SHI_ROOM SHI_LANE_TYPE
+
+/* ================================================================================================================
+ * Kernels: once per lane type.
+ * ============================================================================================================= */
+#elif SHI_ROOM == SHI_KERNELS
+
+/* ---- leaf operations: all that differs between a lane and a register ---- */
+
+#if SHI_LANES == 1
+typedef SHI_T SHI_V;
+typedef SHI_I SHI_M;
+#else
+__extension__ typedef SHI_T SHI_V __attribute__((__vector_size__(SHI_BYTES)));
+__extension__ typedef SHI_I SHI_M __attribute__((__vector_size__(SHI_BYTES)));
+#endif
+
+SHI_KERNEL SHI_V SHI_LOAD(const SHI_T *p)          { SHI_V v; memcpy(&v, p, sizeof v); return v; }
+SHI_KERNEL void  SHI_STORE(SHI_T *p, SHI_V v)      { memcpy(p, &v, sizeof v); }
+SHI_KERNEL SHI_M SHI_BITS_OF(SHI_V v)              { SHI_M m; memcpy(&m, &v, sizeof m); return m; }
+#if SHI_LANES == 1
+SHI_KERNEL SHI_V SHI_SPLAT(SHI_T s)                { return s; }
+SHI_KERNEL SHI_V SHI_SQRT(SHI_V v)                 { return SHI_LIBM(sqrt)(v); }
+SHI_KERNEL SHI_V SHI_ABS(SHI_V v)                  { return SHI_LIBM(fabs)(v); }
+SHI_KERNEL SHI_T SHI_SUM(SHI_V v)                  { return v; }
+SHI_KERNEL int   SHI_ANY(SHI_M m)                  { return m != 0; }
+#else
+SHI_KERNEL SHI_V SHI_SPLAT(SHI_T s)                { SHI_V v; memset(&v, 0, sizeof v); return s - v; }
+SHI_KERNEL SHI_V SHI_ABS(SHI_V v)                  { const SHI_V z = v - v; return SHI_SELECT(v < z, z - v, v); }
+/* IEEE square root per lane; a loop of sqrtf stays scalar unless -fno-math-errno (gcc 12, clang 14) */
+SHI_KERNEL SHI_V SHI_SQRT(SHI_V v)
+{
+#if defined(SHI_SQRT_ELEMENTWISE)
+    return __builtin_elementwise_sqrt(v);
+#elif defined(__SSE2__) && SHI_BYTES == 16 && SHI_BITS == 32
+    return __builtin_ia32_sqrtps(v);
+#elif defined(__SSE2__) && SHI_BYTES == 16
+    return __builtin_ia32_sqrtpd(v);
+#elif defined(__AVX__) && SHI_BYTES == 32 && SHI_BITS == 32
+    return __builtin_ia32_sqrtps256(v);
+#elif defined(__AVX__) && SHI_BYTES == 32
+    return __builtin_ia32_sqrtpd256(v);
+#elif defined(__AVX512F__) && SHI_BYTES == 64 && SHI_BITS == 32 && defined(__clang__)
+    return __builtin_ia32_sqrtps512(v, 4);
+#elif defined(__AVX512F__) && SHI_BYTES == 64 && defined(__clang__)
+    return __builtin_ia32_sqrtpd512(v, 4);
+#elif defined(__AVX512F__) && SHI_BYTES == 64 && SHI_BITS == 32
+    return __builtin_ia32_sqrtps512_mask(v, v, (short)-1, 4);
+#elif defined(__AVX512F__) && SHI_BYTES == 64
+    return __builtin_ia32_sqrtpd512_mask(v, v, (char)-1, 4);
+#else
+    int i;
+    for (i = 0; i < SHI_W; i++) v[i] = SHI_LIBM(sqrt)(v[i]);
+    return v;
+#endif
+}
+/* pairwise: lane i with lane i + half */
+SHI_KERNEL SHI_T SHI_SUM(SHI_V v)
+{
+#if defined(SHI_SHUFFLE) && SHI_LANES == 2
+    v += __builtin_shufflevector(v, v, 1, 0);
+    return v[0];
+#elif defined(SHI_SHUFFLE) && SHI_LANES == 4
+    v += __builtin_shufflevector(v, v, 2, 3, 0, 1);
+    v += __builtin_shufflevector(v, v, 1, 0, 3, 2);
+    return v[0];
+#elif defined(SHI_SHUFFLE) && SHI_LANES == 8
+    v += __builtin_shufflevector(v, v, 4, 5, 6, 7, 0, 1, 2, 3);
+    v += __builtin_shufflevector(v, v, 2, 3, 0, 1, 6, 7, 4, 5);
+    v += __builtin_shufflevector(v, v, 1, 0, 3, 2, 5, 4, 7, 6);
+    return v[0];
+#elif defined(SHI_SHUFFLE) && SHI_LANES == 16
+    v += __builtin_shufflevector(v, v, 8, 9, 10, 11, 12, 13, 14, 15, 0, 1, 2, 3, 4, 5, 6, 7);
+    v += __builtin_shufflevector(v, v, 4, 5, 6, 7, 0, 1, 2, 3, 12, 13, 14, 15, 8, 9, 10, 11);
+    v += __builtin_shufflevector(v, v, 2, 3, 0, 1, 6, 7, 4, 5, 10, 11, 8, 9, 14, 15, 12, 13);
+    v += __builtin_shufflevector(v, v, 1, 0, 3, 2, 5, 4, 7, 6, 9, 8, 11, 10, 13, 12, 15, 14);
+    return v[0];
+#else
+    int i, half;
+    for (half = SHI_W / 2; half > 0; half /= 2)
+        for (i = 0; i < half; i++) v[i] += v[i + half];
+    return v[0];
+#endif
+}
+SHI_KERNEL int SHI_ANY(SHI_M m)
+{
+    long long t[SHI_BYTES / 8], any = 0;
+    int i;
+    memcpy(t, &m, sizeof t);
+    SHI_UNROLL
+    for (i = 0; i < SHI_BYTES / 8; i++) any |= t[i];
+    return any != 0;
+}
+/* a0 b0 a1 b1 ..., lower and upper half */
+SHI_KERNEL void SHI_KN(shi_zip)(SHI_V a, SHI_V b, SHI_V *lo, SHI_V *hi)
+{
+#if defined(SHI_SHUFFLE) && SHI_LANES == 2
+    *lo = __builtin_shufflevector(a, b, 0, 2);
+    *hi = __builtin_shufflevector(a, b, 1, 3);
+#elif defined(SHI_SHUFFLE) && SHI_LANES == 4
+    *lo = __builtin_shufflevector(a, b, 0, 4, 1, 5);
+    *hi = __builtin_shufflevector(a, b, 2, 6, 3, 7);
+#elif defined(SHI_SHUFFLE) && SHI_LANES == 8
+    *lo = __builtin_shufflevector(a, b, 0, 8, 1, 9, 2, 10, 3, 11);
+    *hi = __builtin_shufflevector(a, b, 4, 12, 5, 13, 6, 14, 7, 15);
+#else
+    int i;
+    for (i = 0; i < SHI_W; i++) {
+        if (i < SHI_W / 2) { (*lo)[2 * i] = a[i]; (*lo)[2 * i + 1] = b[i]; }
+        else               { (*hi)[2 * i - SHI_W] = a[i]; (*hi)[2 * i + 1 - SHI_W] = b[i]; }
+    }
+#endif
+}
+#endif
+
+/* |y - x|^2 - r^2 in twice the working precision, d = y - x: what is left decides everything near a light.
+ * Float computes in double; double carries the rounding errors along (Knuth's sum, Dekker's product). */
+SHI_KERNEL SHI_V SHI_KN(shi_gap)(const SHI_V y[3], const SHI_T x[3], SHI_V r)
+{
+#if SHI_BITS == 32 && SHI_LANES == 1
+    const double a = (double)y[0] - (double)x[0], b = (double)y[1] - (double)x[1], c = (double)y[2] - (double)x[2];
+    return (float)(a * a + b * b + c * c - (double)r * (double)r);
+#elif SHI_BITS == 32
+    __extension__ typedef double wide __attribute__((__vector_size__(2 * SHI_BYTES)));
+    const wide a = __builtin_convertvector(y[0], wide) - (double)x[0], b = __builtin_convertvector(y[1], wide) - (double)x[1];
+    const wide c = __builtin_convertvector(y[2], wide) - (double)x[2], d = __builtin_convertvector(r, wide);
+    return __builtin_convertvector(a * a + b * b + c * c - d * d, SHI_V);
+#else
+    const SHI_V split = SHI_SPLAT(134217729.0);     /* 2^27 + 1 */
+    SHI_V sum = SHI_SPLAT(0), low = SHI_SPLAT(0);
+    int k;
+    for (k = 0; k < 4; k++) {                       /* d0^2 + d1^2 + d2^2 - r^2 */
+        const SHI_V p = k < 3 ? y[k] : r, q = SHI_SPLAT(k < 3 ? x[k] : 0), sign = SHI_SPLAT(k < 3 ? 1 : -1);
+        const SHI_V d = p - q, t = d - p, e = (p - (d - t)) - (q + t);          /* p - q = d + e */
+        const SHI_V u = split * d, hi = u - (u - d), lo = d - hi, s = d * d;    /* d = hi + lo */
+        const SHI_V f = ((hi * hi - s) + (hi + hi) * lo) + lo * lo;             /* d * d = s + f */
+        const SHI_V n = sum + sign * s, w = n - sum;
+        low = low + ((sum - (n - w)) + (sign * s - w)) + sign * (f + (d + d) * e);
+        sum = n;
+    }
+    return sum + low;
+#endif
+}
+
+/* every lane's squared length in range (false for NaN and infinity, with -ffast-math too) */
+SHI_KERNEL int SHI_KN(shi_in_range)(SHI_V r2, SHI_T lo, SHI_T hi)
+{
+    SHI_I a, b;
+    const SHI_M m = SHI_BITS_OF(r2);
+    memcpy(&a, &lo, sizeof a);
+    memcpy(&b, &hi, sizeof b);
+    return !SHI_ANY((SHI_M)((m < a) | (m > b)));
+}
+
+/* unit vectors of nearly unit ones: 1/sqrt(1 + e) = 1 - e/2 + 3/8 e^2, exact to eps/4 for |e| < SHI_NEAR; 0 if one is not */
+SHI_KERNEL int SHI_KN(shi_nearly_unit)(const SHI_V v[3], SHI_V u[3])
+{
+    const SHI_V e = (v[0] * v[0] + v[1] * v[1] + v[2] * v[2]) - SHI_C(1);
+    const SHI_V s = SHI_C(1) - e * (SHI_C(0.5) - SHI_C(0.375) * e);
+    u[0] = v[0] * s;
+    u[1] = v[1] * s;
+    u[2] = v[2] * s;
+    return SHI_KN(shi_in_range)(e + SHI_C(1), SHI_C(1) - SHI_NEAR, SHI_C(1) + SHI_NEAR);
+}
+
+/* unit vectors and 1/length of vectors of any length; 0 if one is out of range */
+SHI_KERNEL int SHI_KN(shi_unit)(const SHI_V v[3], SHI_V u[3], SHI_V *inverse)
+{
+    const SHI_V r2 = v[0] * v[0] + v[1] * v[1] + v[2] * v[2];
+    const SHI_V i = SHI_C(1) / SHI_SQRT(r2);
+    u[0] = v[0] * i;
+    u[1] = v[1] * i;
+    u[2] = v[2] * i;
+    *inverse = i;
+    return SHI_KN(shi_in_range)(r2, SHI_MIN2, SHI_MAX2);
+}
+
+/* W vectors from the first `lanes` of W triples; the last one again past the end */
+SHI_KERNEL void SHI_KN(shi_load3)(const SHI_T *p, int lanes, SHI_V v[3])
+{
+#if SHI_LANES == 1
+    (void)lanes;
+    v[0] = p[0];
+    v[1] = p[1];
+    v[2] = p[2];
+#else
+    int i;
+    if (lanes == SHI_W) {
+        SHI_UNROLL
+        for (i = 0; i < SHI_W; i++) {
+            v[0][i] = p[3 * i];
+            v[1][i] = p[3 * i + 1];
+            v[2][i] = p[3 * i + 2];
+        }
+    } else {
+        for (i = 0; i < SHI_W; i++) {
+            const SHI_T *const q = p + 3 * (i < lanes ? i : lanes - 1);
+            v[0][i] = q[0];
+            v[1][i] = q[1];
+            v[2][i] = q[2];
+        }
+    }
+#endif
+}
+
+/* block[rows][W] to W rows of out, `stride` apart, the first `lanes` of them */
+SHI_KERNEL void SHI_KN(shi_scatter)(const SHI_T *block, int rows, SHI_T *out, size_t stride, int lanes)
+{
+    int r = 0, i;
+#if SHI_LANES > 1
+    if (lanes == SHI_W && rows >= SHI_W) {
+        for (;;) {
+            SHI_V a[SHI_W], b[SHI_W];
+            int step;
+            SHI_UNROLL
+            for (i = 0; i < SHI_W; i++) a[i] = SHI_LOAD(block + (r + i) * SHI_W);
+            SHI_UNROLL
+            for (step = 1; step < SHI_W; step *= 2) {       /* a perfect shuffle per step transposes */
+                SHI_UNROLL
+                for (i = 0; i < SHI_W / 2; i++) SHI_KN(shi_zip)(a[i], a[i + SHI_W / 2], &b[2 * i], &b[2 * i + 1]);
+                SHI_UNROLL
+                for (i = 0; i < SHI_W; i++) a[i] = b[i];
+            }
+            SHI_UNROLL
+            for (i = 0; i < SHI_W; i++) SHI_STORE(out + (size_t)i * stride + r, a[i]);
+            if (r + SHI_W >= rows) return;
+            r = r + 2 * SHI_W <= rows ? r + SHI_W : rows - SHI_W;
+        }
+    }
+#endif
+    for (i = 0; i < lanes; i++)
+        for (r = 0; r < rows; r++) out[(size_t)i * stride + (size_t)r] = block[r * SHI_W + i];
+}
+
+/* ---- basis: the bodies in the SHI_BASIS room, unrolled for a band count known when compiling, and for any ---- */
+
+#undef  SHI_ROOM
+#define SHI_ROOM SHI_BASIS
+#define SHI_LOOP
+#define SHI_BN(name) SHI_KN(SHI_CAT(name, _any))
+#include SH_GRADIENT_FILENAME
+#undef  SHI_LOOP
+#undef  SHI_BN
+#define SHI_LOOP SHI_UNROLL
+#define SHI_BN(name) SHI_KN(SHI_CAT(name, _fixed))
+#include SH_GRADIENT_FILENAME
+#undef  SHI_LOOP
+#undef  SHI_BN
+#undef  SHI_ROOM
+#define SHI_ROOM SHI_KERNELS
+
+/* one unrolled body per band count up to 10, one loop beyond */
+#if SHI_LANES == 1 && SHI_BITS == 32
+#define SHI_BANDS(n, fixed, any, ...) \
+    switch (n) { \
+    case 1:  return fixed(1, __VA_ARGS__); \
+    case 2:  return fixed(2, __VA_ARGS__); \
+    case 3:  return fixed(3, __VA_ARGS__); \
+    case 4:  return fixed(4, __VA_ARGS__); \
+    case 5:  return fixed(5, __VA_ARGS__); \
+    case 6:  return fixed(6, __VA_ARGS__); \
+    case 7:  return fixed(7, __VA_ARGS__); \
+    case 8:  return fixed(8, __VA_ARGS__); \
+    case 9:  return fixed(9, __VA_ARGS__); \
+    case 10: return fixed(10, __VA_ARGS__); \
+    default: return any(n, __VA_ARGS__); \
+    }
+#endif
+
+#if SHI_LANES == 1
+/* directions one at a time: the status of the last bad one, whose outputs stay as they are */
+SHI_NOINLINE int SHI_FN(shi_one_by_one)(int n, int planes, size_t count, const SHI_T *dirs, int axis, int next,
+                                        SHI_T *y, int ys, int y_next, SHI_T *g, int gs, int g_next, SHI_T *h, int hs, int h_next)
+{
+    int status = SH_OK, ok, k;
+    size_t p;
+    for (p = 0; p < count; p++, dirs += next, y += y_next, g += g_next, h += h_next) {
+        SHI_T v[3];
+        for (k = 0; k < 3; k++) v[k] = dirs[k * axis];
+        if (planes == SH_VALUES)
+            ok = SHI_KN(shi_basis_any)(n, SH_VALUES, v, y, ys, g, gs, h, hs);
+        else if (planes == SH_GRADIENT)
+            ok = SHI_KN(shi_basis_any)(n, SH_GRADIENT, v, y, ys, g, gs, h, hs);
+        else
+            ok = SHI_KN(shi_basis_any)(n, SH_HESSIAN, v, y, ys, g, gs, h, hs);
+        if (!ok) status = SHI_FN(shi_direction_status)(v);
+    }
+    return status;
+}
+#endif
+
+/* a body per band count; only the functions a program calls are compiled */
+SHI_NOINLINE int SHI_KN(shi_blocks_values)(int n, size_t blocks, const SHI_T *dirs, SHI_T *y)
+{
+    SHI_BANDS(n, SHI_KN(shi_blocks_fixed), SHI_KN(shi_blocks_any), SH_VALUES, 1, blocks, dirs, y, NULL, NULL)
+}
+SHI_NOINLINE int SHI_KN(shi_blocks_gradient)(int n, size_t blocks, const SHI_T *dirs, SHI_T *y, SHI_T *g)
+{
+    if (!y || !g) return SHI_KN(shi_blocks_any)(n, SH_GRADIENT, 0, blocks, dirs, y, g, NULL);
+    SHI_BANDS(n, SHI_KN(shi_blocks_fixed), SHI_KN(shi_blocks_any), SH_GRADIENT, 1, blocks, dirs, y, g, NULL)
+}
+SHI_NOINLINE int SHI_KN(shi_blocks_hessian)(int n, size_t blocks, const SHI_T *dirs, SHI_T *y, SHI_T *g, SHI_T *h)
+{
+    if (!y || !g || !h) return SHI_KN(shi_blocks_any)(n, SH_HESSIAN, 0, blocks, dirs, y, g, h);
+    SHI_BANDS(n, SHI_KN(shi_blocks_fixed), SHI_KN(shi_blocks_any), SH_HESSIAN, 1, blocks, dirs, y, g, h)
+}
+SHI_NOINLINE int SHI_KN(shi_plain_values)(int n, size_t count, const SHI_T *dirs, SHI_T *y)
+{
+    SHI_BANDS(n, SHI_KN(shi_plain_fixed), SHI_KN(shi_plain_any), SH_VALUES, count, dirs, y, NULL, NULL)
+}
+SHI_NOINLINE int SHI_KN(shi_plain_gradient)(int n, size_t count, const SHI_T *dirs, SHI_T *y, SHI_T *g)
+{
+    SHI_BANDS(n, SHI_KN(shi_plain_fixed), SHI_KN(shi_plain_any), SH_GRADIENT, count, dirs, y, g, NULL)
+}
+SHI_NOINLINE int SHI_KN(shi_plain_hessian)(int n, size_t count, const SHI_T *dirs, SHI_T *y, SHI_T *g, SHI_T *h)
+{
+    SHI_BANDS(n, SHI_KN(shi_plain_fixed), SHI_KN(shi_plain_any), SH_HESSIAN, count, dirs, y, g, h)
+}
+
+SHI_NOINLINE int SHI_KN(shi_angles_batch)(int n, size_t count, const SHI_T *theta, const SHI_T *phi, SHI_T *y, SHI_T *dt, SHI_T *dp)
+{
+    SHI_BANDS(n, SHI_KN(shi_angles_plain_fixed), SHI_KN(shi_angles_plain_any), count, theta, phi, y, dt, dp)
+}
+
+#if SHI_LANES == 1
+SHI_NOINLINE int SHI_FN(shi_angles_one)(int n, const SHI_T *theta, const SHI_T *phi, SHI_T *y, SHI_T *dt, SHI_T *dp)
+{
+    return SHI_KN(shi_angles_batch)(n, 1, theta, phi, y, dt, dp);
+}
+SHI_NOINLINE int SHI_KN(shi_single_values)(int n, const SHI_T v[3], SHI_T *y)
+{
+    SHI_BANDS(n, SHI_KN(shi_basis_fixed), SHI_KN(shi_basis_any), SH_VALUES, v, y, 1, NULL, 0, NULL, 0)
+}
+SHI_NOINLINE int SHI_KN(shi_single_gradient)(int n, const SHI_T v[3], SHI_T *y, SHI_T *g)
+{
+    SHI_T discard;
+    if (!y || !g) return SHI_KN(shi_basis_any)(n, SH_GRADIENT, v, y ? y : &discard, y != NULL, g ? g : &discard, g != NULL, NULL, 0);
+    SHI_BANDS(n, SHI_KN(shi_basis_fixed), SHI_KN(shi_basis_any), SH_GRADIENT, v, y, 1, g, 1, NULL, 0)
+}
+SHI_NOINLINE int SHI_KN(shi_single_hessian)(int n, const SHI_T v[3], SHI_T *y, SHI_T *g, SHI_T *h)
+{
+    SHI_T discard;
+    if (!y || !g || !h)
+        return SHI_KN(shi_basis_any)(n, SH_HESSIAN, v, y ? y : &discard, y != NULL, g ? g : &discard, g != NULL,
+                                     h ? h : &discard, h != NULL);
+    SHI_BANDS(n, SHI_KN(shi_basis_fixed), SHI_KN(shi_basis_any), SH_HESSIAN, v, y, 1, g, 1, h, 1)
+}
+#endif
+
+/* ---- sum c_i Y_i at W directions, the basis never stored ----
+ *
+ * Up to 10 bands each column's polynomial A_m(z) = sum_l c_lm norm q_l^m is brought to E(t) + z O(t), t = z^2 - 1/2, once
+ * per call and evaluated by Horner: one multiply-add per coefficient. In t on [-1/2, 1/2] the terms of band l grow by
+ * (1 + sqrt 2)^(l/2) at worst (52 at l = 9), in z by its square. Beyond, the three-term recurrence runs beside the sums. */
+
+#if SHI_LANES == 1
+/* a[N]: per m, per parity of l-m, cos then sin, highest power first */
+SHI_INLINE void SHI_FN(shi_horner_form)(int n, const SHI_T *c, SHI_T *a)
+{
+#define SHI_PAIRS(d) (((d) + 1) / 2 * (((d) + 2) / 2))      /* sum of k/2 + 1 over k < d */
+    const SHI_T *table = SHI_FN(shi_horner);
+    int m, parity, sign, k, d;
+    for (m = 0; m < n; table += SHI_PAIRS(SHI_HORNER_BANDS - m), m++)
+        for (parity = 0; parity < 2 && parity < n - m; parity++)
+            for (sign = 1; sign >= (m ? -1 : 1); sign -= 2)
+                for (k = (n - 1 - m - parity) / 2; k >= 0; k--) {
+                    SHI_T sum = 0;
+                    for (d = 2 * k + parity; d < n - m; d += 2)
+                        sum += c[(m + d) * (m + d + 1) + sign * m] * table[SHI_PAIRS(d) + k];
+                    *a++ = sum;
+                }
+#undef SHI_PAIRS
+}
+
+/* a[N]: per m, per l, cos then sin, times norm */
+SHI_INLINE void SHI_FN(shi_forward_form)(int n, const SHI_T *c, SHI_T *a)
+{
+    int l, m;
+    for (m = 0; m < n; m++)
+        for (l = m; l < n; l++) {
+            *a++ = SHI_FN(shi_norm)[SHI_ROWS(l, m)] * c[l * (l + 1) + m];
+            if (m) *a++ = SHI_FN(shi_norm)[SHI_ROWS(l, m)] * c[l * (l + 1) - m];
+        }
+}
+#endif
+
+/* terms of column m into value and F', from A, B and their derivatives by z; U, V of m and m-1 */
+SHI_KERNEL void SHI_KN(shi_sum_column)(int m, const SHI_V ab[2], const SHI_V dab[2], const SHI_V uv[4], int with_grad,
+                                       SHI_V *value, SHI_V f[3])
+{
+    if (m == 0) {
+        *value = ab[0];
+        if (with_grad) {
+            f[0] = f[1] = SHI_SPLAT(0);
+            f[2] = dab[0];
+        }
+    } else {
+        *value += ab[0] * uv[0] + ab[1] * uv[1];
+        if (with_grad) {
+            f[0] -= SHI_C(m) * (ab[0] * uv[2] + ab[1] * uv[3]);
+            f[1] += SHI_C(m) * (ab[0] * uv[3] - ab[1] * uv[2]);
+            f[2] += dab[0] * uv[0] + dab[1] * uv[1];
+        }
+    }
+}
+
+SHI_KERNEL void SHI_KN(shi_next_powers)(int m, const SHI_V u[3], SHI_V uv[4])
+{
+    const SHI_V c = uv[0], s = uv[1];
+    if (m == 0) return;
+    uv[2] = c;
+    uv[3] = s;
+    uv[0] = m == 1 ? -u[0] : u[1] * s - u[0] * c;
+    uv[1] = m == 1 ? -u[1] : -(u[0] * s + u[1] * c);
+}
+
+SHI_KERNEL void SHI_KN(shi_sum_horner)(int n, int with_grad, const SHI_T *a, const SHI_V u[3], SHI_V *value, SHI_V f[3])
+{
+    const SHI_V z = u[2], t = z * z - SHI_C(0.5), z2 = z + z;
+    SHI_V uv[4];
+    int m, parity, sign, k;
+    uv[0] = SHI_SPLAT(1);
+    uv[1] = uv[2] = uv[3] = SHI_SPLAT(0);
+    SHI_UNROLL
+    for (m = 0; m < n; m++) {
+        SHI_V ab[2], dab[2];
+        SHI_KN(shi_next_powers)(m, u, uv);
+        SHI_UNROLL
+        for (parity = 0; parity < 2; parity++) {
+            if (parity < n - m) {
+                SHI_UNROLL
+                for (sign = 0; sign < (m ? 2 : 1); sign++) {
+                    SHI_V h = SHI_SPLAT(*a++), d = SHI_SPLAT(0);
+                    SHI_UNROLL
+                    for (k = (n - 1 - m - parity) / 2; k > 0; k--) {
+                        if (with_grad) d = d * t + h;
+                        h = h * t + *a++;
+                    }
+                    ab[sign] = parity ? z * h + ab[sign] : h;
+                    if (with_grad) dab[sign] = parity ? z2 * (z * d) + (h + dab[sign]) : z2 * d;
+                }
+            }
+        }
+        SHI_KN(shi_sum_column)(m, ab, dab, uv, with_grad, value, f);
+    }
+}
+
+SHI_KERNEL void SHI_KN(shi_sum_forward)(int n, int with_grad, const SHI_T *a, const SHI_V u[3], SHI_V *value, SHI_V f[3])
+{
+    const SHI_V z = u[2];
+    SHI_V uv[4], column[2][SH_MAX_BANDS];
+    int l, m;
+    uv[0] = SHI_SPLAT(1);
+    uv[1] = uv[2] = uv[3] = SHI_SPLAT(0);
+    SHI_KN(shi_column_any)(0, n, z, column[0]);
+    for (m = 0; m < n; m++) {
+        const SHI_V *const q0 = column[m & 1], *const q1 = column[(m + 1) & 1];
+        SHI_V ab[2], dab[2];
+        ab[0] = ab[1] = dab[0] = dab[1] = SHI_SPLAT(0);
+        SHI_KN(shi_next_powers)(m, u, uv);
+        SHI_KN(shi_column_any)(m + 1, n, z, column[(m + 1) & 1]);
+        for (l = m; l < n; l++) {
+            const SHI_V d = l > m ? SHI_C(l - m) * q1[l] : SHI_SPLAT(0);
+            ab[0] += *a * q0[l];
+            if (with_grad) dab[0] += *a * d;
+            a++;
+            if (m) {
+                ab[1] += *a * q0[l];
+                if (with_grad) dab[1] += *a * d;
+                a++;
+            }
+        }
+        SHI_KN(shi_sum_column)(m, ab, dab, uv, with_grad, value, f);
+    }
+}
+
+SHI_KERNEL int SHI_KN(shi_sums)(int n, int horner, int with_grad, const SHI_T *a, size_t count, const SHI_T *dirs,
+                               SHI_T *values, SHI_T *grads)
+{
+    int status = SH_OK, i, k;
+    size_t p;
+    for (p = 0; p < count; p += SHI_W) {
+        const int lanes = count - p < SHI_W ? (int)(count - p) : SHI_W;
+        SHI_V v[3], u[3], f[3], inverse, value;
+        int good = 1;
+        SHI_KN(shi_load3)(dirs + 3 * p, lanes, v);
+        if (with_grad || !SHI_KN(shi_nearly_unit)(v, u)) good = SHI_KN(shi_unit)(v, u, &inverse);
+        if (horner) SHI_KN(shi_sum_horner)(n, with_grad, a, u, &value, f);
+        else SHI_KN(shi_sum_forward)(n, with_grad, a, u, &value, f);
+        if (good && lanes == SHI_W && !with_grad) {
+            SHI_STORE(values + p, value);
+            continue;
+        }
+        {
+            SHI_T out[4][SHI_W];
+            SHI_STORE(out[0], value);
+            if (with_grad) {
+                const SHI_V radial = u[0] * f[0] + u[1] * f[1] + u[2] * f[2];
+                for (k = 0; k < 3; k++) SHI_STORE(out[k + 1], inverse * (f[k] - radial * u[k]));
+            }
+            for (i = 0; i < lanes; i++) {
+                const int bad = good ? SH_OK : SHI_FN(shi_direction_status)(dirs + 3 * p + 3 * i);
+                if (bad) {
+                    status = bad;
+                    continue;
+                }
+                if (values) values[p + (size_t)i] = out[0][i];
+                for (k = 0; k < 3 && with_grad; k++) grads[3 * (p + (size_t)i) + (size_t)k] = out[k + 1][i];
+            }
+        }
+    }
+    return status;
+}
+
+/* a body per band count, forward beyond 10 bands: the second switch argument is the band count */
+SHI_KERNEL int SHI_KN(shi_sum_values_fixed)(int n, const SHI_T *a, size_t count, const SHI_T *dirs, SHI_T *values)
+{
+    return SHI_KN(shi_sums)(n, 1, 0, a, count, dirs, values, NULL);
+}
+SHI_KERNEL int SHI_KN(shi_sum_values_any)(int n, const SHI_T *a, size_t count, const SHI_T *dirs, SHI_T *values)
+{
+    return SHI_KN(shi_sums)(n, 0, 0, a, count, dirs, values, NULL);
+}
+SHI_KERNEL int SHI_KN(shi_sum_gradient_fixed)(int n, const SHI_T *a, size_t count, const SHI_T *dirs, SHI_T *values, SHI_T *grads)
+{
+    return SHI_KN(shi_sums)(n, 1, 1, a, count, dirs, values, grads);
+}
+SHI_KERNEL int SHI_KN(shi_sum_gradient_any)(int n, const SHI_T *a, size_t count, const SHI_T *dirs, SHI_T *values, SHI_T *grads)
+{
+    return SHI_KN(shi_sums)(n, 0, 1, a, count, dirs, values, grads);
+}
+SHI_NOINLINE int SHI_KN(shi_sum_values)(int n, const SHI_T *a, size_t count, const SHI_T *dirs, SHI_T *values)
+{
+    SHI_BANDS(n, SHI_KN(shi_sum_values_fixed), SHI_KN(shi_sum_values_any), a, count, dirs, values)
+}
+SHI_NOINLINE int SHI_KN(shi_sum_gradient)(int n, const SHI_T *a, size_t count, const SHI_T *dirs, SHI_T *values, SHI_T *grads)
+{
+    SHI_BANDS(n, SHI_KN(shi_sum_gradient_fixed), SHI_KN(shi_sum_gradient_any), a, count, dirs, values, grads)
+}
+
+/* ---- sums of spherical lights at a point ---- */
+
+#define SHI_ALL_KINDS 6
+/* Moments of a band j: sum over lights of weight(l) Y_jm, l the band of the light's own expansion (MATH: M22 Eq. 12 by
+ * the recurrence of x_k Y_lm):  kind 0 f_l, l = j;  1 w-, l = j+1;  2 w+, l = j-1;  3 w--, l = j+2;  4 lap, l = j;
+ * 5 w++, l = j-2.  w- = f' + (l+1) f/rho, w+ = f' - l f/rho, and the same once more for the second derivatives. */
+
+enum { SHI_KN(shi_pool) = 400, SHI_KN(shi_sums_at_once) = 640 };    /* vectors on the stack: L1 resident, 8..40 KiB */
+
+/* weights and powers of W lights, one vector of a block of nb; returns lanes on or inside (1), invalid (2) */
+SHI_KERNEL int SHI_KN(shi_light_weights)(int n, int kinds, const SHI_T point[3], const SHI_V center[3], SHI_V radius, SHI_V radiance,
+                                         SHI_V *pool, int levels, int nb)
+{
+    const SHI_V zero = SHI_SPLAT(0), one = SHI_SPLAT(1);
+    const SHI_V gap = SHI_KN(shi_gap)(center, point, radius);
+    const SHI_V dx = center[0] - point[0], dy = center[1] - point[1], dz = center[2] - point[2];
+    const SHI_M dark = (SHI_M)(radius == zero), inside = (SHI_M)(gap <= zero) & (SHI_M)(radius > zero);
+    const SHI_M none = dark | inside;
+    const SHI_V i = SHI_C(1) / SHI_SQRT(SHI_SELECT(none, one, dx * dx + dy * dy + dz * dz));
+    const SHI_V x = -(dx * i), y = -(dy * i), z = dz * i, s = SHI_SELECT(none, zero, radius * i), s2 = s * s;
+    const SHI_V alpha = SHI_SELECT(none, one, SHI_SQRT(SHI_SELECT(none, one, gap)) * i);
+    const SHI_V k = SHI_C(6.2831853071795865) * s2, q = s2 * i / alpha, k1 = SHI_C(-6.2831853071795865) * q;
+    SHI_V *c = pool, *v = c + levels * nb, *w = v + levels * nb;
+    SHI_V p0 = zero, p1 = one, d0 = zero, d1 = zero, uc = radiance, us = zero;
+    int l, m, t;
+    pool[2 * levels * nb + kinds * levels * nb] = z;
+    for (m = 0; m < levels; m++) {                              /* U_m, V_m times radiance */
+        const SHI_V next = x * uc - y * us;
+        c[m * nb] = uc;
+        v[m * nb] = us;
+        us = x * us + y * uc;
+        uc = next;
+    }
+    for (t = 0; t < kinds; t++)                                 /* bands a kind does not reach */
+        for (l = 0; l < 2 && l < levels; l++) {
+            w[(t * levels + l) * nb] = zero;
+            w[(t * levels + levels - 1 - l) * nb] = zero;
+        }
+#define SHI_WEIGHT(kind, band) w[((kind) * levels + (band)) * nb]
+    for (l = 0; l < n; l++) {
+        SHI_V f;
+        if (l > 0) {                                            /* p1 = P_l, d1 = P_l' */
+            const SHI_V p = (SHI_C(2 * l - 1) * (alpha * p1) - SHI_C(l - 1) * p0) * SHI_FN(shi_reciprocal)[l];
+            d0 = d1;
+            d1 = SHI_C(l) * p1 + alpha * d0;
+            p0 = p1;
+            p1 = p;
+            f = k * (d1 * (SHI_FN(shi_reciprocal)[l] * SHI_FN(shi_reciprocal)[l + 1]));
+        } else {
+            f = SHI_SELECT(inside, SHI_SPLAT(SHI_C(12.566370614359172)), k / (SHI_C(1) + alpha));
+        }
+        SHI_WEIGHT(0, l) = f;
+        if (kinds >= 3) {
+            const SHI_V g = SHI_SELECT(inside, zero, f) * i, f1 = k1 * p1;
+            if (l > 0) SHI_WEIGHT(1, l - 1) = f1 + SHI_C(l + 1) * g;
+            SHI_WEIGHT(2, l + 1) = f1 - SHI_C(l) * g;
+            if (kinds == SHI_ALL_KINDS) {
+                const SHI_V f2 = SHI_C(6.2831853071795865) * (p1 * (SHI_C(3) * (q * i) + q * q / alpha) - d1 * (q * q));
+                const SHI_V h = (f1 - g) * i;
+                if (l > 1) SHI_WEIGHT(3, l - 2) = (f2 + SHI_C(l + 1) * h) + SHI_C(l) * ((f1 + SHI_C(l + 1) * g) * i);
+                SHI_WEIGHT(4, l) = f2 + SHI_C(2) * (f1 * i) - SHI_C(l * (l + 1)) * (g * i);
+                SHI_WEIGHT(5, l + 2) = (f2 - SHI_C(l) * h) - SHI_C(l + 1) * ((f1 - SHI_C(l) * g) * i);
+            }
+        }
+    }
+#undef SHI_WEIGHT
+    return (SHI_ANY(inside) ? 1 : 0) | (SHI_ANY((SHI_M)(radius < zero)) ? 4 : 0)
+         | (SHI_KN(shi_in_range)(SHI_ABS(gap) + SHI_ABS(radius), 0, SHI_C(SHI_BITS == 32 ? 3e38 : 1e308)) ? 0 : 2);
+}
+
+/* which kinds row j of the moments has, by its distance e = j - (n-1) from the light's top band: bits of kinds */
+#define SHI_KINDS_AT(e) (((e) <= 0 ? 1u : 0u) | ((e) <= -1 ? 2u : 0u) | ((e) <= 1 ? 4u : 0u) \
+                       | ((e) <= -2 ? 8u : 0u) | ((e) <= 0 ? 16u : 0u) | ((e) <= 2 ? 32u : 0u))
+
+/* `rows` bands of column m, the last one at distance e_last, over the nb vectors of a block: M22's reverse order on a CPU,
+ * the sums in registers. sum[rows][kinds][2] */
+SHI_KERNEL void SHI_KN(shi_light_rows)(int rows, int kinds, int e_last, int zonal, int nb, const SHI_T beta[6], const SHI_V *z,
+                                       const SHI_V *c, const SHI_V *v, const SHI_V *w, int kind_stride, SHI_V *qa, SHI_V *qb,
+                                       SHI_V *sum)
+{
+    SHI_V a[16], b[16];
+    const int slots = rows * kinds;
+    int i, t;
+    SHI_UNROLL
+    for (t = 0; t < slots; t++) {
+        a[t] = sum[2 * t];
+        b[t] = sum[2 * t + 1];
+    }
+    for (i = 0; i < nb; i++) {
+        SHI_V qc[5], qs[5], q0 = qa[i], q1 = qb[i];
+        const SHI_V zi = z[i], ci = c[i], si = v[i];
+        SHI_UNROLL
+        for (t = 0; t < rows; t++) {
+            const SHI_V q = zi * q0 - beta[t] * q1;
+            qc[t] = q * ci;
+            if (!zonal) qs[t] = q * si;
+            q1 = q0;
+            q0 = q;
+        }
+        qa[i] = q0;
+        qb[i] = q1;
+        SHI_UNROLL
+        for (t = 0; t < slots; t++) {
+            const int r = t / kinds, k = t % kinds;
+            if (SHI_KINDS_AT(e_last - (rows - 1 - r)) >> k & 1u) {
+                const SHI_V weight = w[k * kind_stride + r * nb + i];
+                a[t] += weight * qc[r];
+                if (!zonal) b[t] += weight * qs[r];
+            }
+        }
+    }
+    SHI_UNROLL
+    for (t = 0; t < slots; t++) {
+        sum[2 * t] = a[t];
+        sum[2 * t + 1] = b[t];
+    }
+}
+
+/* column m of a block: bands m .. top in groups that fit the registers. sum[top-m+1][kinds][2] */
+SHI_KERNEL void SHI_KN(shi_light_column)(int n, int kinds, int m, int nb, const SHI_V *pool, int levels, SHI_V *sum)
+{
+    const int plenty = SHI_BYTES == 64 || SHI_REGISTERS == 32;
+    const int top = n - 1 + (kinds == 1 ? 0 : kinds == 3 ? 1 : 2);
+    const SHI_V *c = pool + m * nb, *v = c + levels * nb, *w = pool + 2 * levels * nb, *z = w + kinds * levels * nb;
+    SHI_V qa[8], qb[8];
+    SHI_T beta[5];
+    int j = m, i, rows;
+    for (i = 0; i < nb; i++) {
+        qa[i] = SHI_SPLAT(0);
+        qb[i] = SHI_SPLAT(1);
+    }
+#define SHI_GROUP(r, e) do { \
+        rows = (r); \
+        for (i = 0; i < (r); i++) beta[i] = SHI_FN(shi_beta)[SHI_ROWS(j + i, m)]; \
+        if (m == 0) SHI_KN(shi_light_rows)(r, kinds, e, 1, nb, beta, z, c, v, w + j * nb, levels * nb, qa, qb, sum); \
+        else SHI_KN(shi_light_rows)(r, kinds, e, 0, nb, beta, z, c, v, w + j * nb, levels * nb, qa, qb, sum); \
+    } while (0)
+    for (; j <= top; j += rows, sum += 2 * rows * kinds) {
+        const int left = top - j + 1;
+        if (kinds == 1) {
+            if (left >= 4) SHI_GROUP(4, 0);
+            else if (left == 3) SHI_GROUP(3, 0);
+            else if (left == 2) SHI_GROUP(2, 0);
+            else SHI_GROUP(1, 0);
+        } else if (kinds == 3 && plenty) {
+            if (left > 5) SHI_GROUP(4, -2);
+            else if (left == 5) SHI_GROUP(5, 1);
+            else if (left == 4) SHI_GROUP(4, 1);
+            else if (left == 3) SHI_GROUP(3, 1);
+            else if (left == 2) SHI_GROUP(2, 1);
+            else SHI_GROUP(1, 1);
+        } else if (kinds == 3) {
+            if (left > 3) SHI_GROUP(2, -2);
+            else if (left == 3) SHI_GROUP(3, 1);
+            else if (left == 2) SHI_GROUP(2, 1);
+            else SHI_GROUP(1, 1);
+        } else {
+            if (plenty && left > 5) SHI_GROUP(2, -2);
+            else if (left > 4) SHI_GROUP(1, -2);
+            else if (plenty && left == 4) SHI_GROUP(2, 0);
+            else if (left == 4) SHI_GROUP(1, -1);
+            else if (left == 3) SHI_GROUP(1, 0);
+            else if (left == 2) SHI_GROUP(2, 2);
+            else SHI_GROUP(1, 2);
+        }
+    }
+#undef SHI_GROUP
+}
+
+/* W items of four planes from `first`; past the end the last item again, its radiance 0 */
+SHI_KERNEL void SHI_KN(shi_load_light)(const SHI_T *spheres, const SHI_T *radiance, size_t count, size_t first,
+                                       SHI_V center[3], SHI_V *radius, SHI_V *power)
+{
+    SHI_T t[5][SHI_W];
+    int i, k;
+    if (count - first >= SHI_W) {
+        for (k = 0; k < 3; k++) center[k] = SHI_LOAD(spheres + (size_t)k * count + first);
+        *radius = SHI_LOAD(spheres + 3 * count + first);
+        *power = radiance ? SHI_LOAD(radiance + first) : SHI_SPLAT(1);
+        return;
+    }
+    for (i = 0; i < SHI_W; i++) {
+        const size_t at = first + (size_t)i < count ? first + (size_t)i : count - 1;
+        for (k = 0; k < 4; k++) t[k][i] = spheres[(size_t)k * count + at];
+        t[4][i] = first + (size_t)i >= count ? 0 : radiance ? radiance[at] : 1;
+    }
+    for (k = 0; k < 3; k++) center[k] = SHI_LOAD(t[k]);
+    *radius = SHI_LOAD(t[3]);
+    *power = SHI_LOAD(t[4]);
+}
+
+/* W weighted directions: unit vectors and their powers, in place of a light's */
+SHI_KERNEL int SHI_KN(shi_sample_powers)(const SHI_T *dirs, const SHI_T *weights, size_t count, size_t first, SHI_V *pool,
+                                         int levels, int nb)
+{
+    const int lanes = count - first < SHI_W ? (int)(count - first) : SHI_W;
+    SHI_V v[3], u[3], inverse, uc, us, *c = pool, *s = pool + levels * nb;
+    SHI_T w[SHI_W];
+    int i, m;
+    const int ok = (SHI_KN(shi_load3)(dirs + 3 * first, lanes, v), SHI_KN(shi_unit)(v, u, &inverse));
+    for (i = 0; i < SHI_W; i++) w[i] = i < lanes ? weights[first + (size_t)i] : 0;
+    uc = SHI_LOAD(w);
+    us = SHI_SPLAT(0);
+    for (m = 0; m < levels; m++) {
+        const SHI_V next = u[1] * us - u[0] * uc;
+        c[m * nb] = uc;
+        s[m * nb] = us;
+        us = -(u[0] * us + u[1] * uc);
+        uc = next;
+    }
+    pool[3 * levels * nb] = u[2];
+    return ok;
+}
+
+/* moments[kinds][levels^2] of all lights at a point (`point`, spheres), or of weighted directions (point NULL, spheres = dirs).
+ * Columns are taken as many at a time as their sums fit the stack; returns bits: 1 inside, 2 not finite, 4 negative radius */
+SHI_KERNEL int SHI_KN(shi_moments)(int n, int kinds, const SHI_T *point, size_t count, const SHI_T *spheres,
+                                   const SHI_T *radiance, SHI_T *moments)
+{
+    const int levels = n - 1 + (kinds == 1 ? 1 : kinds == 3 ? 2 : 3), plane = levels * levels;
+    const int fit = SHI_KN(shi_pool) / ((2 + kinds) * levels + 1);
+    const int at_once = fit > 8 ? 8 : fit;
+    SHI_V pool[SHI_KN(shi_pool)], sums[SHI_KN(shi_sums_at_once)];
+    int flags = 0, m0, m1, m, j, k, i;
+    for (m0 = 0; m0 < levels; m0 = m1) {
+        int size = 0, at = 0;
+        size_t first;
+        for (m1 = m0; m1 < levels && size + 2 * kinds * (levels - m1) <= SHI_KN(shi_sums_at_once); m1++)
+            size += 2 * kinds * (levels - m1);
+        memset(sums, 0, (size_t)size * sizeof sums[0]);
+        for (first = 0; first < count; first += (size_t)at_once * SHI_W) {
+            const size_t vectors = (count - first + SHI_W - 1) / SHI_W;
+            const int nb = vectors < (size_t)at_once ? (int)vectors : at_once;
+            for (i = 0; i < nb; i++) {
+                const size_t one = first + (size_t)i * SHI_W;
+                if (point) {
+                    SHI_V center[3], radius, power;
+                    SHI_KN(shi_load_light)(spheres, radiance, count, one, center, &radius, &power);
+                    flags |= SHI_KN(shi_light_weights)(n, kinds, point, center, radius, power, pool + i, levels, nb);
+                } else {
+                    if (!SHI_KN(shi_sample_powers)(spheres, radiance, count, one, pool + i, levels, nb)) flags |= 2;
+                    for (j = 0; j < levels; j++) pool[(2 * levels + j) * nb + i] = SHI_SPLAT(1);
+                }
+            }
+            for (m = m0, at = 0; m < m1; at += 2 * kinds * (levels - m), m++)
+                SHI_KN(shi_light_column)(n, kinds, m, nb, pool, levels, sums + at);
+        }
+        for (m = m0, at = 0; m < m1; m++)
+            for (j = m; j < levels; j++)
+                for (k = 0; k < kinds; k++, at += 2) {
+                    SHI_T *const out = moments + k * plane + j * j + j;
+                    out[m] = SHI_FN(shi_norm)[SHI_ROWS(j, m)] * SHI_SUM(sums[at]);
+                    if (m) out[-m] = SHI_FN(shi_norm)[SHI_ROWS(j, m)] * SHI_SUM(sums[at + 1]);
+                }
+    }
+    return flags;
+}
+SHI_NOINLINE int SHI_KN(shi_moments_values)(int n, const SHI_T *point, size_t count, const SHI_T *spheres, const SHI_T *radiance, SHI_T *moments)
+{
+    return SHI_KN(shi_moments)(n, 1, point, count, spheres, radiance, moments);
+}
+SHI_NOINLINE int SHI_KN(shi_moments_gradient)(int n, const SHI_T *point, size_t count, const SHI_T *spheres, const SHI_T *radiance, SHI_T *moments)
+{
+    return SHI_KN(shi_moments)(n, 3, point, count, spheres, radiance, moments);
+}
+SHI_NOINLINE int SHI_KN(shi_moments_hessian)(int n, const SHI_T *point, size_t count, const SHI_T *spheres, const SHI_T *radiance, SHI_T *moments)
+{
+    return SHI_KN(shi_moments)(n, SHI_ALL_KINDS, point, count, spheres, radiance, moments);
+}
+
+/* ================================================================================================================
+ * Basis: values, gradient, Hessian of W directions at once.
+ *
+ * Column m of monic polynomials: q_m = 1, q_{m+1} = z, q_l = z q_{l-1} - beta q_{l-2}; Y_lm = norm q_l^m(z) U_m, V_m
+ * with U_m + i V_m = (-x - iy)^m, which carries Sloan's sign (S13; M22 Eq. 7-8). Since Q_l^m = d^m P_l / dz^m,
+ * the derivative of column m is column m+1: q_l^m' = (l-m) q_l^{m+1}. So a sweep over m with the next one or two
+ * columns at hand has all derivatives, and nothing is divided by sin(theta).
+ * ============================================================================================================= */
+#elif SHI_ROOM == SHI_BASIS
+
+/* q[l] for l = m .. n-1 */
+SHI_KERNEL void SHI_BN(shi_column)(int m, int n, SHI_V z, SHI_V *q)
+{
+    int l;
+    if (m < n) q[m] = SHI_SPLAT(1);
+    if (m + 1 < n) q[m + 1] = z;
+    SHI_LOOP
+    for (l = m + 2; l < n; l++) q[l] = z * q[l - 1] - SHI_FN(shi_beta)[SHI_ROWS(l, m)] * q[l - 2];
+}
+
+/* y[N], `stride` elements from one coefficient to the next */
+SHI_KERNEL void SHI_BN(shi_values)(int n, const SHI_V u[3], SHI_T *y, int stride)
+{
+    const SHI_V x = -u[0], v = -u[1], z = u[2];
+    SHI_V c = x, s = v;
+    int l, m;
+    SHI_STORE(y, SHI_SPLAT(SHI_FN(shi_norm)[0]));
+    SHI_LOOP
+    for (m = 0; m < n; m++) {
+        SHI_V q = z, p = z;
+        SHI_LOOP
+        for (l = m; l < n; l++) {
+            const SHI_T norm = SHI_FN(shi_norm)[SHI_ROWS(l, m)];
+            SHI_T *at = y + (l * l + l) * stride;
+            if (l > m + 1) {
+                const SHI_V t = z * q - SHI_FN(shi_beta)[SHI_ROWS(l, m)] * (l == m + 2 ? SHI_SPLAT(1) : p);
+                p = q;
+                q = t;
+            }
+            if (m == 0) {
+                if (l > 0) SHI_STORE(at, norm * q);
+            } else {
+                const SHI_V k = l == m ? SHI_SPLAT(norm) : norm * q;
+                SHI_STORE(at + m * stride, k * c);
+                SHI_STORE(at - m * stride, k * s);
+            }
+        }
+        if (m > 0) {
+            const SHI_V t = x * c - v * s;
+            s = x * s + v * c;
+            c = t;
+        }
+    }
+}
+
+/* y[N], g[3][N] = dY(v/|v|)/dv at u = v/|v|, i = 1/|v|; a stride of 0 discards an output into one place */
+SHI_KERNEL void SHI_BN(shi_gradient)(int n, const SHI_V u[3], SHI_V i, SHI_T *y, int y_stride, SHI_T *g, int stride)
+{
+    const SHI_V x = u[0], v = u[1], z = u[2], xi = x * i, vi = v * i;
+    SHI_T *const gx = g, *const gy = gx + n * n * stride, *const gz = gy + n * n * stride;
+    SHI_V column[2][SH_MAX_BANDS], c = SHI_SPLAT(1), s = SHI_SPLAT(0);
+    int l, m;
+    SHI_BN(shi_column)(0, n, z, column[0]);
+    SHI_LOOP
+    for (m = 0; m < n; m++) {
+        const SHI_V *const q0 = column[m & 1], *const q1 = column[(m + 1) & 1];
+        const SHI_V mc = SHI_C(m) * (i * c), ms = SHI_C(m) * (i * s);       /* of U_{m-1}, V_{m-1} */
+        SHI_BN(shi_column)(m + 1, n, z, column[(m + 1) & 1]);
+        if (m == 1) {
+            c = -x;
+            s = -v;
+        } else if (m > 1) {
+            const SHI_V t = v * s - x * c;
+            s = -(x * s + v * c);
+            c = t;
+        }
+        {
+            const SHI_V xc = xi * c, xs = xi * s, vc = vi * c, vs = vi * s, ic = i * c, is = i * s;
+            SHI_LOOP
+            for (l = m; l < n; l++) {
+                const SHI_T norm = SHI_FN(shi_norm)[SHI_ROWS(l, m)];
+                const SHI_V q = norm * q0[l], d = l > m ? (norm * SHI_C(l - m)) * q1[l] : SHI_SPLAT(0);
+                const SHI_V b = SHI_C(m) * q + z * d, e = d - z * b;        /* u.F' and F'_z - z u.F', over U_m */
+                const int at = l * l + l;
+                if (m == 0) {
+                    SHI_STORE(y + at * y_stride, q);
+                    SHI_STORE(gx + at * stride, -(xi * b));
+                    SHI_STORE(gy + at * stride, -(vi * b));
+                    SHI_STORE(gz + at * stride, i * e);
+                } else {
+                    const SHI_V qc = q * mc, qs = q * ms;
+                    SHI_STORE(y + (at + m) * y_stride, q * c);
+                    SHI_STORE(y + (at - m) * y_stride, q * s);
+                    SHI_STORE(gx + (at + m) * stride, -(xc * b) - qc);
+                    SHI_STORE(gx + (at - m) * stride, -(xs * b) - qs);
+                    SHI_STORE(gy + (at + m) * stride, qs - vc * b);
+                    SHI_STORE(gy + (at - m) * stride, -(vs * b) - qc);
+                    SHI_STORE(gz + (at + m) * stride, ic * e);
+                    SHI_STORE(gz + (at - m) * stride, is * e);
+                }
+            }
+        }
+    }
+}
+
+/* one coefficient's value, gradient and Hessian from F' and F'' of its polynomial: with t = P F', k = u.F',
+ * w = F'' u and p = w + t - (u.w + k) u / 2, the Hessian of Y(v/|v|) is (F'' - u p' - p u' - k I) / |v|^2 */
+SHI_KERNEL void SHI_BN(shi_second)(const SHI_V u[3], SHI_V i, SHI_V value, const SHI_V f[3], const SHI_V h[6],
+                                   SHI_T *y, SHI_T *g, int g_plane, SHI_T *out, int plane)
+{
+    const SHI_V k = u[0] * f[0] + u[1] * f[1] + u[2] * f[2], ii = i * i;
+    const SHI_V wx = h[0] * u[0] + h[1] * u[1] + h[2] * u[2];
+    const SHI_V wy = h[1] * u[0] + h[3] * u[1] + h[4] * u[2];
+    const SHI_V wz = h[2] * u[0] + h[4] * u[1] + h[5] * u[2];
+    const SHI_V half = SHI_C(0.5) * ((wx * u[0] + wy * u[1] + wz * u[2]) + k);
+    const SHI_V tx = f[0] - k * u[0], ty = f[1] - k * u[1], tz = f[2] - k * u[2];
+    const SHI_V px = wx + tx - half * u[0], py = wy + ty - half * u[1], pz = wz + tz - half * u[2];
+    SHI_STORE(y, value);
+    SHI_STORE(g, i * tx);
+    SHI_STORE(g + g_plane, i * ty);
+    SHI_STORE(g + 2 * g_plane, i * tz);
+    SHI_STORE(out, ii * (h[0] - (u[0] * px + u[0] * px) - k));
+    SHI_STORE(out + plane, ii * (h[1] - (u[0] * py + px * u[1])));
+    SHI_STORE(out + 2 * plane, ii * (h[2] - (u[0] * pz + px * u[2])));
+    SHI_STORE(out + 3 * plane, ii * (h[3] - (u[1] * py + u[1] * py) - k));
+    SHI_STORE(out + 4 * plane, ii * (h[4] - (u[1] * pz + py * u[2])));
+    SHI_STORE(out + 5 * plane, ii * (h[5] - (u[2] * pz + u[2] * pz) - k));
+}
+
+/* y[N], g[3][N], h[6][N] of Y(v/|v|) */
+SHI_KERNEL void SHI_BN(shi_hessian)(int n, const SHI_V u[3], SHI_V i, SHI_T *y, int y_stride, SHI_T *g, int g_stride,
+                                    SHI_T *h, int stride)
+{
+    const int plane = n * n * stride, g_plane = n * n * g_stride;
+    SHI_V column[3][SH_MAX_BANDS], c0 = SHI_SPLAT(1), s0 = SHI_SPLAT(0), c1 = s0, s1 = s0, c2 = s0, s2 = s0;
+    int l, m;
+    SHI_BN(shi_column)(0, n, u[2], column[0]);
+    SHI_BN(shi_column)(1, n, u[2], column[1]);
+    SHI_LOOP
+    for (m = 0; m < n; m++) {
+        const SHI_V *const q0 = column[m % 3], *const q1 = column[(m + 1) % 3], *const q2 = column[(m + 2) % 3];
+        const SHI_T m1 = SHI_C(m), m2 = SHI_C(m * (m - 1));
+        SHI_BN(shi_column)(m + 2, n, u[2], column[(m + 2) % 3]);
+        if (m > 0) {                                    /* U, V of m, m-1, m-2 */
+            c2 = c1;
+            s2 = s1;
+            c1 = c0;
+            s1 = s0;
+            c0 = u[1] * s1 - u[0] * c1;
+            s0 = -(u[0] * s1 + u[1] * c1);
+        }
+        SHI_LOOP
+        for (l = m; l < n; l++) {
+            const SHI_T norm = SHI_FN(shi_norm)[SHI_ROWS(l, m)];
+            const SHI_V q = norm * q0[l];
+            const SHI_V d = l > m ? (norm * SHI_C(l - m)) * q1[l] : SHI_SPLAT(0);
+            const SHI_V e = l > m + 1 ? (norm * SHI_C((l - m) * (l - m - 1))) * q2[l] : SHI_SPLAT(0);
+            const SHI_V qm = m1 * q, qmm = m2 * q, dm = m1 * d;
+            SHI_V f[3], k[6];
+            int at = l * l + l + m;
+            f[0] = -(qm * c1);
+            f[1] = qm * s1;
+            f[2] = d * c0;
+            k[0] = qmm * c2;
+            k[1] = -(qmm * s2);
+            k[2] = -(dm * c1);
+            k[3] = -k[0];
+            k[4] = dm * s1;
+            k[5] = e * c0;
+            SHI_BN(shi_second)(u, i, q * c0, f, k, y + at * y_stride, g + at * g_stride, g_plane, h + at * stride, plane);
+            if (m > 0) {
+                at = l * l + l - m;
+                f[0] = -(qm * s1);
+                f[1] = -(qm * c1);
+                f[2] = d * s0;
+                k[0] = qmm * s2;
+                k[1] = qmm * c2;
+                k[2] = -(dm * s1);
+                k[3] = -k[0];
+                k[4] = -(dm * c1);
+                k[5] = e * s0;
+                SHI_BN(shi_second)(u, i, q * s0, f, k, y + at * y_stride, g + at * g_stride, g_plane, h + at * stride, plane);
+            }
+        }
+    }
+}
+
+/* the three above by number of planes; 0, and nothing written, when a lane's direction is not for this kernel */
+SHI_KERNEL int SHI_BN(shi_basis)(int n, int planes, const SHI_V v[3], SHI_T *y, int ys, SHI_T *g, int gs, SHI_T *h, int hs)
+{
+    SHI_V u[3], i = v[0];
+    if (planes > SH_VALUES ? !SHI_KN(shi_unit)(v, u, &i)
+                           : !SHI_KN(shi_nearly_unit)(v, u) && (SHI_W > 1 || !SHI_KN(shi_unit)(v, u, &i))) return 0;
+    if (planes == SH_VALUES) SHI_BN(shi_values)(n, u, y, ys);
+    else if (planes == SH_GRADIENT) SHI_BN(shi_gradient)(n, u, i, y, ys, g, gs);
+    else SHI_BN(shi_hessian)(n, u, i, y, ys, g, gs, h, hs);
+    return 1;
+}
+
+/* dirs[blocks][3][8] to y[blocks][N][8], g[blocks][3 N][8], h[blocks][6 N][8]; `all`: no output is NULL */
+SHI_KERNEL int SHI_BN(shi_blocks)(int n, int planes, int all, size_t blocks, const SHI_T *SHI_RESTRICT dirs,
+                                  SHI_T *SHI_RESTRICT y, SHI_T *SHI_RESTRICT g, SHI_T *SHI_RESTRICT h)
+{
+    const int size = n * n * SH_BLOCK;
+    const int ys = all || y ? SH_BLOCK : 0, gs = all || g ? SH_BLOCK : 0, hs = all || h ? SH_BLOCK : 0;
+    SHI_T discard[SH_BLOCK];
+    int status = SH_OK, i, k;
+    size_t b;
+    for (b = 0; b < blocks; b++, dirs += 3 * SH_BLOCK) {
+        SHI_T *const yb = ys ? y + b * (size_t)size : discard, *const gb = gs ? g + b * 3 * (size_t)size : discard;
+        SHI_T *const hb = hs ? h + b * 6 * (size_t)size : discard;
+        for (i = 0; i < SH_BLOCK; i += SHI_W) {
+            const int yi = ys ? i : 0, gi = gs ? i : 0, hi = hs ? i : 0;
+            SHI_V v[3];
+            for (k = 0; k < 3; k++) v[k] = SHI_LOAD(dirs + k * SH_BLOCK + i);
+            if (!SHI_BN(shi_basis)(n, planes, v, yb + yi, ys, gb + gi, gs, hb + hi, hs)) {
+                const int bad = SHI_FN(shi_one_by_one)(n, planes, SHI_W, dirs + i, SH_BLOCK, 1,
+                                                       yb + yi, ys, 1, gb + gi, gs, 1, hb + hi, hs, 1);
+                status = bad ? bad : status;
+            }
+        }
+    }
+    return status;
+}
+
+/* dirs[count][3] to y[count][N], g[count][3 N], h[count][6 N], by way of a block that is transposed */
+SHI_KERNEL int SHI_BN(shi_plain)(int n, int planes, size_t count, const SHI_T *dirs, SHI_T *y, SHI_T *g, SHI_T *h)
+{
+    const int size = n * n;
+    const size_t stride = (size_t)size;
+    SHI_T block[SHI_STAGE / sizeof(SHI_T)];
+    SHI_T *const gb = block + size * SHI_W, *const hb = gb + 3 * size * SHI_W;
+    int status = SH_OK;
+    size_t p;
+    for (p = 0; p < count; p += SHI_W) {
+        const int lanes = count - p < SHI_W ? (int)(count - p) : SHI_W;
+        SHI_V v[3];
+        SHI_KN(shi_load3)(dirs + 3 * p, lanes, v);
+        if (SHI_BN(shi_basis)(n, planes, v, block, SHI_W, gb, SHI_W, hb, SHI_W)) {
+            if (y) SHI_KN(shi_scatter)(block, size, y + p * stride, stride, lanes);
+            if (g) SHI_KN(shi_scatter)(gb, 3 * size, g + p * 3 * stride, 3 * stride, lanes);
+            if (h) SHI_KN(shi_scatter)(hb, 6 * size, h + p * 6 * stride, 6 * stride, lanes);
+        } else {
+            const int bad = SHI_FN(shi_one_by_one)(n, planes, (size_t)lanes, dirs + 3 * p, 1, 3, y ? y + p * stride : block, y != 0, size,
+                                                   g ? g + p * 3 * stride : block, g != 0, 3 * size,
+                                                   h ? h + p * 6 * stride : block, h != 0, 6 * size);
+            status = bad ? bad : status;
+        }
+    }
+    return status;
+}
+
+/* y, dtheta, dphi [N] from cosine and sine of theta and phi (M22 Eq. 31-33: X and Z share the norm, which is applied last) */
+SHI_KERNEL void SHI_BN(shi_angles)(int n, SHI_V ct, SHI_V st, SHI_V cp, SHI_V sp, SHI_T *y, int ys, SHI_T *dt, int ts, SHI_T *dp, int ps)
+{
+    const SHI_V x = -(st * cp), v = -(st * sp);
+    SHI_V c = SHI_SPLAT(1), s = SHI_SPLAT(0), c1 = c, s1 = s;       /* U_m, V_m, and the two over sin(theta) */
+    int l, m;
+    SHI_LOOP
+    for (m = 0; m < n; m++) {
+        SHI_V q0 = SHI_SPLAT(0), q1 = SHI_SPLAT(1), t0 = q0, t1 = q0;
+        if (m > 0) {
+            const SHI_V next = m == 1 ? -cp : x * c1 - v * s1;
+            s1 = m == 1 ? -sp : x * s1 + v * c1;
+            c1 = next;
+            c = st * c1;
+            s = st * s1;
+        }
+        SHI_LOOP
+        for (l = m; l < n; l++) {
+            const SHI_T norm = SHI_FN(shi_norm)[SHI_ROWS(l, m)], beta = SHI_FN(shi_beta)[SHI_ROWS(l, m)];
+            const int at = l * l + l;
+            SHI_V q, t;
+            if (l > m) {
+                const SHI_V next = ct * q1 - beta * q0, slope = (ct * t1 - st * q1) - beta * t0;
+                q0 = q1;
+                q1 = next;
+                t0 = t1;
+                t1 = slope;
+            }
+            q = norm * q1;
+            t = norm * t1;
+            if (m == 0) {
+                SHI_STORE(y + at * ys, q);
+                SHI_STORE(dt + at * ts, t);
+                SHI_STORE(dp + at * ps, SHI_SPLAT(0));
+            } else {
+                const SHI_V w = SHI_C(m) * (ct * q), yc = q * c, s_ = q * s;
+                SHI_STORE(y + (at + m) * ys, yc);
+                SHI_STORE(y + (at - m) * ys, s_);
+                SHI_STORE(dt + (at + m) * ts, w * c1 + t * c);
+                SHI_STORE(dt + (at - m) * ts, w * s1 + t * s);
+                SHI_STORE(dp + (at + m) * ps, SHI_C(-m) * s_);
+                SHI_STORE(dp + (at - m) * ps, SHI_C(m) * yc);
+            }
+        }
+    }
+}
+
+/* theta[count], phi[count] to y, dt, dp [count][N] */
+SHI_KERNEL int SHI_BN(shi_angles_plain)(int n, size_t count, const SHI_T *theta, const SHI_T *phi, SHI_T *y, SHI_T *dt, SHI_T *dp)
+{
+    const int size = n * n;
+    const size_t stride = (size_t)size;
+    SHI_T block[SHI_STAGE / sizeof(SHI_T)], *const tb = block + size * SHI_W, *const pb = tb + size * SHI_W;
+    int status = SH_OK, i;
+    size_t p;
+    for (p = 0; p < count; p += SHI_W) {
+        const int lanes = count - p < SHI_W ? (int)(count - p) : SHI_W;
+        SHI_T a[4][SHI_W];
+        int good = 1;
+        for (i = 0; i < SHI_W; i++) {
+            const size_t at = p + (size_t)(i < lanes ? i : lanes - 1);
+            a[0][i] = SHI_LIBM(cos)(theta[at]);
+            a[1][i] = SHI_LIBM(sin)(theta[at]);
+            a[2][i] = SHI_LIBM(cos)(phi[at]);
+            a[3][i] = SHI_LIBM(sin)(phi[at]);
+        }
+        SHI_BN(shi_angles)(n, SHI_LOAD(a[0]), SHI_LOAD(a[1]), SHI_LOAD(a[2]), SHI_LOAD(a[3]), block, SHI_W, tb, SHI_W, pb, SHI_W);
+        for (i = 0; i < lanes; i++)
+            if (!SHI_FN(shi_finite)(theta + p + i, 1) || !SHI_FN(shi_finite)(phi + p + i, 1)) good = 0;
+        if (good) {
+            if (y) SHI_KN(shi_scatter)(block, size, y + p * stride, stride, lanes);
+            if (dt) SHI_KN(shi_scatter)(tb, size, dt + p * stride, stride, lanes);
+            if (dp) SHI_KN(shi_scatter)(pb, size, dp + p * stride, stride, lanes);
+        } else if (count == 1) {
+            status = SH_ERROR_NOT_FINITE;
+        } else {
+            for (i = 0; i < lanes; i++) {
+                const size_t at = p + (size_t)i;
+                const int bad = SHI_FN(shi_angles_one)(n, theta + at, phi + at, y ? y + at * stride : NULL,
+                                                       dt ? dt + at * stride : NULL, dp ? dp + at * stride : NULL);
+                status = bad ? bad : status;
+            }
+        }
+    }
+    return status;
+}
+
+/* ================================================================================================================
+ * Public functions: once per precision. They check, and call a kernel.
+ * ============================================================================================================= */
+#elif SHI_ROOM == SHI_PUBLIC
+
+/* ---- what the public functions share ---- */
+
+#define SHI_MOST_ITEMS ((size_t)-1 / (16 * sizeof(double) * SH_MAX_BANDS * SH_MAX_BANDS))
+
+/* structural checks of a basis call: `needed` is its required output, or any pointer */
+SHI_INLINE int SHI_FN(shi_check_basis)(int bands, size_t count, const SHI_T *v, const SHI_T *needed,
+                                       const SHI_T *y, const SHI_T *g, const SHI_T *h)
+{
+    const size_t item = sizeof *v, in = 3 * count * item, size = (size_t)bands * (size_t)bands * count * item;
+    if (bands < 1 || bands > SH_MAX_BANDS) return SH_ERROR_BANDS;
+    if (count == 0) return SH_OK;
+    if (!v || !needed) return SH_ERROR_NULL;
+    if (count > SHI_MOST_ITEMS) return SH_ERROR_COUNT;
+    if (shi_overlap(v, in, y, size) || shi_overlap(v, in, g, 3 * size) || shi_overlap(v, in, h, 6 * size)
+        || shi_overlap(y, size, g, 3 * size) || shi_overlap(y, size, h, 6 * size) || shi_overlap(g, 3 * size, h, 6 * size))
+        return SH_ERROR_OVERLAP;
+    return SH_OK;
+}
+
+/* plain layout: through the transposing kernel while its block fits SHI_STAGE, else one by one */
+SHI_NOINLINE int SHI_FN(shi_batch)(int n, int planes, size_t count, const SHI_T *dirs, SHI_T *y, SHI_T *g, SHI_T *h)
+{
+    const size_t block = (size_t)(n * n * planes) * sizeof(SHI_T) * (SH_VECTOR_BYTES ? SH_VECTOR_BYTES / sizeof(SHI_T) : 1);
+    if (block <= SHI_STAGE) {
+        if (planes == SH_VALUES) return SHI_MANY(shi_plain_values)(n, count, dirs, y);
+        if (planes == SH_GRADIENT) return SHI_MANY(shi_plain_gradient)(n, count, dirs, y, g);
+        return SHI_MANY(shi_plain_hessian)(n, count, dirs, y, g, h);
+    } else {
+        SHI_T discard;
+        const int s = n * n;
+        return SHI_FN(shi_one_by_one)(n, planes, count, dirs, 1, 3, y ? y : &discard, y != NULL, y ? s : 0,
+                                      g ? g : &discard, g != NULL, g ? 3 * s : 0, h ? h : &discard, h != NULL, h ? 6 * s : 0);
+    }
+}
+
+/* f_l, df_l/dd and d2f_l/dd2 of a sphere with s = r/d, alpha = cos of the half-angle, i = 1/d; with i = 0 the second is the
+ * derivative by the half-angle instead. L_lm = f_l Y_lm: f_0 = 2 pi s^2/(1+alpha), f_l = 2 pi s^2 P_l'(alpha)/(l(l+1)). */
+SHI_INLINE void SHI_FN(shi_cap)(int n, SHI_T s, SHI_T alpha, SHI_T i, SHI_T *f, SHI_T *f1, SHI_T *f2)
+{
+    const SHI_T tau = SHI_C(6.2831853071795865), s2 = s * s, q = s2 * i / alpha;
+    SHI_T p0 = 0, p1 = 1, d0, d1 = 0;
+    int l;
+    for (l = 0; l < n; l++) {
+        if (l > 0) {                                            /* p1 = P_l, d1 = P_l' */
+            const SHI_T p = (SHI_C(2 * l - 1) * (alpha * p1) - SHI_C(l - 1) * p0) / SHI_C(l);
+            d0 = d1;
+            d1 = SHI_C(l) * p1 + alpha * d0;
+            p0 = p1;
+            p1 = p;
+        }
+        f[l] = l ? tau * s2 * d1 / SHI_C(l * (l + 1)) : tau * s2 / (1 + alpha);
+        f1[l] = i > 0 ? -tau * p1 * q : tau * p1 * s;
+        f2[l] = i > 0 ? tau * (p1 * (3 * q * i + q * q / alpha) - d1 * q * q) : 0;
+    }
+}
+
+/* f(d) Y_lm(v/d) and its derivatives by the shading point, from f, f', f'' */
+SHI_NOINLINE int SHI_FN(shi_symmetric)(int n, const SHI_T v[3], const SHI_T *f, const SHI_T *f1, const SHI_T *f2,
+                                       SHI_T *c, SHI_T *g, SHI_T *h)
+{
+    SHI_T gradient[3 * SH_MAX_BANDS * SH_MAX_BANDS], u[3], i;
+    const int size = n * n;
+    int l, m, k, j, p;
+    if (h && !g) g = gradient;
+    if (!(h ? SHI_ONE(shi_single_hessian)(n, v, c, g, h) : g ? SHI_ONE(shi_single_gradient)(n, v, c, g)
+                                                            : SHI_ONE(shi_single_values)(n, v, c)))
+        return SHI_FN(shi_direction_status)(v);
+    if (!SHI_ONE(shi_unit)(v, u, &i)) return SH_ERROR_DIRECTION;
+    for (l = 0; l < n; l++)
+        for (m = -l; m <= l; m++) {
+            const int at = l * (l + 1) + m;
+            const SHI_T y = c[at];
+            SHI_T d[3];
+            for (k = 0; k < 3 && g; k++) d[k] = g[k * size + at];
+            for (k = 0, p = 0; k < 3 && h; k++)
+                for (j = k; j < 3; j++, p++) {
+                    SHI_T *const x = h + p * size + at;
+                    *x = f2[l] * y * u[k] * u[j] + f1[l] * (i * y * ((k == j) - u[k] * u[j]) + (u[k] * d[j] + d[k] * u[j]))
+                       + f[l] * *x;
+                }
+            for (k = 0; k < 3 && g; k++) g[k * size + at] = -(f1[l] * y * u[k] + f[l] * d[k]);
+            c[at] = f[l] * y;
+        }
+    return SH_OK;
+}
+
+SHI_NOINLINE int SHI_FN(shi_sphere)(int n, const SHI_T x[3], const SHI_T y[3], SHI_T r, SHI_T *c, SHI_T *g, SHI_T *h)
+{
+    SHI_T f[SH_MAX_BANDS], f1[SH_MAX_BANDS], f2[SH_MAX_BANDS], v[3], u[3], i, gap;
+    const size_t size = (size_t)(n * n) * sizeof *c;
+    int k, inside;
+    if (!SHI_FN(shi_finite)(x, 3) || !SHI_FN(shi_finite)(y, 3) || !SHI_FN(shi_finite)(&r, 1)) return SH_ERROR_NOT_FINITE;
+    if (r < 0) return SH_ERROR_RADIUS;
+    for (k = 0; k < 3; k++) v[k] = y[k] - x[k];
+    gap = SHI_ONE(shi_gap)(y, x, r);
+    inside = r > 0 && gap <= 0;
+    if (r > 0 && !inside) {
+        if (!SHI_ONE(shi_unit)(v, u, &i)) return SH_ERROR_DIRECTION;
+        SHI_FN(shi_cap)(n, r * i, SHI_LIBM(sqrt)(gap) * i, i, f, f1, f2);
+        return SHI_FN(shi_symmetric)(n, v, f, f1, f2, c, g, h);
+    }
+    memset(c, 0, size);
+    if (g) memset(g, 0, 3 * size);
+    if (h) memset(h, 0, 6 * size);
+    if (inside) c[0] = SHI_C(3.5449077018110321);               /* 2 sqrt(pi) */
+    return inside ? SH_INSIDE : SH_OK;
+}
+
+SHI_NOINLINE int SHI_FN(shi_light_field)(int n, size_t count, const SHI_T *dirs, const SHI_T *solid_angles, const SHI_T *radiance,
+                                         const SHI_T *depth, const SHI_T *normals, SHI_T *coeffs, SHI_T *grad)
+{
+    SHI_T sum[4][SH_MAX_BANDS * SH_MAX_BANDS], y[SH_MAX_BANDS * SH_MAX_BANDS], g[3 * SH_MAX_BANDS * SH_MAX_BANDS];
+    const int size = n * n;
+    size_t t;
+    int i, k;
+    memset(sum, 0, sizeof sum);
+    for (t = 0; t < count; t++) {
+        const SHI_T *const w = dirs + 3 * t, *const a = normals + 3 * t;
+        const SHI_T power = solid_angles[t] * radiance[t];
+        SHI_T u[3], inverse, facing, least, scale;
+        if (!SHI_ONE(shi_single_gradient)(n, w, y, grad ? g : NULL)) return SHI_FN(shi_direction_status)(w);
+        for (i = 0; i < size; i++) sum[0][i] += power * y[i];
+        if (!grad) continue;
+        if (depth[t] <= 0) return SH_ERROR_RADIUS;
+        if (!SHI_FN(shi_finite)(a, 3) || depth[t] != depth[t]) return SH_ERROR_NOT_FINITE;
+        if (!SHI_FN(shi_finite)(depth + t, 1)) continue;
+        (void)SHI_ONE(shi_unit)(w, u, &inverse);
+        least = SHI_C(1e-3) * SHI_LIBM(sqrt)(a[0] * a[0] + a[1] * a[1] + a[2] * a[2]);
+        facing = a[0] * u[0] + a[1] * u[1] + a[2] * u[2];
+        if (SHI_LIBM(fabs)(facing) < least) facing = facing < 0 ? -least : least;
+        scale = power / depth[t];
+        for (k = 0; k < 3; k++) {
+            const SHI_T e = (least > 0 ? a[k] / facing : 0) - 3 * u[k];
+            for (i = 0; i < size; i++) sum[k + 1][i] -= scale * (g[k * size + i] / inverse + y[i] * e);
+        }
+    }
+    memcpy(coeffs, sum[0], (size_t)size * sizeof *coeffs);
+    for (k = 0; k < 3 && grad; k++) memcpy(grad + k * size, sum[k + 1], (size_t)size * sizeof *grad);
+    return SH_OK;
+}
+
+/* ---- sums of spherical lights ---- */
+
+SHI_INLINE int SHI_FN(shi_check_grid)(const SHI_FN(sh_grid) *g, size_t first, size_t nodes)
+{
+    size_t all = 1;
+    int k;
+    for (k = 0; k < 3; k++) {
+        if (!SHI_FN(shi_finite)(&g->origin[k], 1) || !SHI_FN(shi_finite)(&g->cell[k], 1)) return SH_ERROR_NOT_FINITE;
+        if (g->count[k] < 1 || !(g->cell[k] > 0 || g->count[k] == 1)) return SH_ERROR_GRID;
+        if (all > SHI_MOST_ITEMS / (size_t)g->count[k]) return SH_ERROR_COUNT;
+        all *= (size_t)g->count[k];
+    }
+    return first > all || nodes > all - first ? SH_ERROR_COUNT : SH_OK;
+}
+
+SHI_INLINE int SHI_FN(shi_check_spheres)(int bands, int planes, int channels, size_t points, const SHI_T *point, size_t count,
+                                         const SHI_T *spheres, const SHI_T *radiance, const SHI_T *out)
+{
+    const size_t item = sizeof *out, block = (size_t)bands * (size_t)bands * (size_t)planes * (size_t)channels * item;
+    if (bands < 1 || bands > SH_MAX_BANDS) return SH_ERROR_BANDS;
+    if (planes != SH_VALUES && planes != SH_GRADIENT && planes != SH_HESSIAN) return SH_ERROR_OPTION;
+    if (channels < 1) return SH_ERROR_COUNT;
+    if (points == 0) return SH_OK;
+    if ((count && (!point || !spheres)) || !out) return SH_ERROR_NULL;
+    if (points > SHI_MOST_ITEMS / (size_t)channels || count > SHI_MOST_ITEMS / (size_t)channels) return SH_ERROR_COUNT;
+    if ((point != spheres && shi_overlap(point, 3 * points * item, out, points * block))
+        || shi_overlap(spheres, 4 * count * item, out, points * block)
+        || shi_overlap(radiance, (size_t)channels * count * item, out, points * block)) return SH_ERROR_OVERLAP;
+    return SH_OK;
+}
+
+/* out[axis](l,m), l < n: derivative by the shading point of the coefficients whose moments at l-1 are `lower` and at l+1 `upper`
+ * (both indexed l(l+1)+m), by the recurrences of x_k Y_lm */
+SHI_INLINE void SHI_FN(shi_derive)(int n, const SHI_T *lower, const SHI_T *upper, SHI_T *gx, SHI_T *gy, SHI_T *gz)
+{
+    const SHI_T *const root = SHI_FN(shi_root), half = SHI_C(0.5), root_half = SHI_C(0.70710678118654752);
+    int l, m;
+    for (l = 0; l < n; l++) {
+        const SHI_T h0 = SHI_FN(shi_inverse_root)[l], h1 = SHI_FN(shi_inverse_root)[l + 1];
+        const SHI_T *const b = lower + l * (l - 1), *const t = upper + (l + 1) * (l + 2);      /* rows l-1 and l+1, at m = 0 */
+        const int at = l * (l + 1);
+        for (m = 0; m <= l; m++) {
+            const SHI_T up1 = root[l + m + 2] * root[l + m + 1] * h1, zt = root[l + m + 1] * root[l - m + 1] * h1;
+            const SHI_T up0 = m + 1 < l ? root[l - m] * root[l - m - 1] * h0 : 0, zb = m < l ? root[l + m] * root[l - m] * h0 : 0;
+            SHI_T uc = up1 * t[m + 1], us = up1 * t[-m - 1], dc = 0, ds = 0;
+            if (m + 1 < l) {
+                uc -= up0 * b[m + 1];
+                us -= up0 * b[-m - 1];
+            }
+            gz[at + m] = -(zt * t[m] + (m < l ? zb * b[m] : 0));
+            if (m == 0) {
+                gx[at] = root_half * uc;
+                gy[at] = root_half * us;
+                continue;
+            }
+            gz[at - m] = -(zt * t[-m] + (m < l ? zb * b[-m] : 0));
+            {
+                const SHI_T k = m == 1 ? root[2] : 1;
+                const SHI_T dn1 = k * root[l - m + 2] * root[l - m + 1] * h1, dn0 = k * root[l + m] * root[l + m - 1] * h0;
+                dc = dn0 * b[m - 1] - dn1 * t[m - 1];
+                if (m > 1) ds = dn0 * b[1 - m] - dn1 * t[1 - m];
+            }
+            gx[at + m] = half * (uc + dc);
+            gx[at - m] = half * (us + ds);
+            gy[at + m] = half * (us - ds);
+            gy[at - m] = half * (dc - uc);
+        }
+    }
+}
+
+/* one point and channel; `work` holds 6 (n+2)^2 moments and 9 (n+1)^2 derivatives. Returns shi_moments' bits */
+SHI_INLINE int SHI_FN(shi_spheres_at)(int n, int planes, const SHI_T *point, size_t count, const SHI_T *spheres,
+                                      const SHI_T *radiance, SHI_T *work, SHI_T *out)
+{
+    const int size = n * n;
+    int flags, k;
+    if (planes == SH_VALUES) {
+        flags = SHI_WIDE(shi_moments_values)(n, point, count, spheres, radiance, work);
+        if (flags > 1) return flags;
+    } else if (planes == SH_GRADIENT) {
+        const int plane = (n + 1) * (n + 1);
+        flags = SHI_WIDE(shi_moments_gradient)(n, point, count, spheres, radiance, work);
+        if (flags > 1) return flags;
+        SHI_FN(shi_derive)(n, work + plane, work + 2 * plane, out + size, out + 2 * size, out + 3 * size);
+    } else {
+        const int plane = (n + 2) * (n + 2), wide = (n + 1) * (n + 1);
+        SHI_T *const below = work + 6 * plane, *const above = below + 3 * wide, *const unused = above + 3 * wide;
+        SHI_T *const h = out + 4 * size;
+        flags = SHI_WIDE(shi_moments_hessian)(n, point, count, spheres, radiance, work);
+        if (flags > 1) return flags;
+        SHI_FN(shi_derive)(n, work + plane, work + 2 * plane, out + size, out + 2 * size, out + 3 * size);
+        SHI_FN(shi_derive)(n - 1, work + 3 * plane, work + 4 * plane, below, below + wide, below + 2 * wide);
+        SHI_FN(shi_derive)(n + 1, work + 4 * plane, work + 5 * plane, above, above + wide, above + 2 * wide);
+        for (k = 0; k < 3; k++)                                 /* rows x, y, z: columns xx xy xz, - yy yz, - - zz */
+            SHI_FN(shi_derive)(n, below + k * wide, above + k * wide, k == 0 ? h : unused, k == 2 ? unused : h + (k ? 3 : 1) * size,
+                               h + (k == 0 ? 2 : k == 1 ? 4 : 5) * size);
+    }
+    memcpy(out, work, (size_t)size * sizeof *out);
+    return flags;
+}
+
+SHI_INLINE int SHI_FN(shi_spheres_with)(int n, int planes, int channels, size_t points, const SHI_T *point,
+                                        const SHI_FN(sh_grid) *grid, size_t first, size_t count, const SHI_T *spheres,
+                                        const SHI_T *radiance, SHI_T *work, SHI_T *out)
+{
+    const size_t block = (size_t)(n * n * planes);
+    int status = SH_OK, c, k;
+    size_t p;
+    for (p = 0; p < points; p++) {
+        SHI_T x[3];
+        if (grid) {
+            size_t rest = first + p;
+            for (k = 0; k < 3; k++, rest /= (size_t)grid->count[k - 1])
+                x[k] = grid->origin[k] + (SHI_T)(rest % (size_t)grid->count[k]) * grid->cell[k];
+        } else {
+            memcpy(x, point + 3 * p, sizeof x);
+        }
+        if (!SHI_FN(shi_finite)(x, 3)) {
+            status = SH_ERROR_NOT_FINITE;
+            continue;
+        }
+        for (c = 0; c < channels; c++) {
+            const int flags = SHI_FN(shi_spheres_at)(n, planes, x, count, spheres, radiance ? radiance + (size_t)c * count : NULL,
+                                                     work, out + (p * (size_t)channels + (size_t)c) * block);
+            if (flags & 4) return SH_ERROR_RADIUS;
+            if (flags & 2) return SH_ERROR_NOT_FINITE;
+            if (flags && status == SH_OK) status = SH_INSIDE;
+        }
+    }
+    return status;
+}
+
+/* stack by need: a job system's fibers are small */
+SHI_NOINLINE int SHI_FN(shi_spheres_10)(int n, int planes, int channels, size_t points, const SHI_T *point,
+                                        const SHI_FN(sh_grid) *grid, size_t first, size_t count, const SHI_T *spheres,
+                                        const SHI_T *radiance, SHI_T *out)
+{
+    SHI_T work[6 * 12 * 12 + 9 * 11 * 11];
+    return SHI_FN(shi_spheres_with)(n, planes, channels, points, point, grid, first, count, spheres, radiance, work, out);
+}
+SHI_NOINLINE int SHI_FN(shi_spheres_32)(int n, int planes, int channels, size_t points, const SHI_T *point,
+                                        const SHI_FN(sh_grid) *grid, size_t first, size_t count, const SHI_T *spheres,
+                                        const SHI_T *radiance, SHI_T *out)
+{
+    SHI_T work[6 * 34 * 34 + 9 * 33 * 33];
+    return SHI_FN(shi_spheres_with)(n, planes, channels, points, point, grid, first, count, spheres, radiance, work, out);
+}
+SHI_INLINE int SHI_FN(shi_spheres)(int n, int planes, int channels, size_t points, const SHI_T *point,
+                                   const SHI_FN(sh_grid) *grid, size_t first, size_t count, const SHI_T *spheres,
+                                   const SHI_T *radiance, SHI_T *out)
+{
+    return n <= 10 ? SHI_FN(shi_spheres_10)(n, planes, channels, points, point, grid, first, count, spheres, radiance, out)
+                   : SHI_FN(shi_spheres_32)(n, planes, channels, points, point, grid, first, count, spheres, radiance, out);
+}
+
+/* ---- basis ---- */
+
+/* Basis values at a direction.
+ *   bands  1..32
+ *   dir    any length from 1e-18 to 1e18 (double 1e-150 to 1e150); it is normalised
+ *   y      [N]
+ * Error:  |y - exact| <= (4 + l(l+1)/4) eps M_l.
+ * Source: S13; M22 Eq. 7-8. */
+SH_API int SHI_FN(sh_eval)(int bands, const SHI_T dir[3], SHI_T *y)
+{
+    const int status = SHI_FN(shi_check_basis)(bands, 1, dir, y, y, NULL, NULL);
+    if (status) return status;
+    return SHI_ONE(shi_single_values)(bands, dir, y) ? SH_OK : SHI_FN(shi_direction_status)(dir);
+}
+
+/* Basis values of many directions.
+ *   dirs  [count][3]
+ *   y     [count][N]
+ * Nearly unit directions (| |v|^2 - 1 | < 4e-3, double 4e-6) take the fast path; another costs what sh_eval costs. */
+SH_API int SHI_FN(sh_eval_n)(int bands, size_t count, const SHI_T *dirs, SHI_T *y)
+{
+    const int status = SHI_FN(shi_check_basis)(bands, count, dirs, y, y, NULL, NULL);
+    return status || !count ? status : SHI_FN(shi_batch)(bands, SH_VALUES, count, dirs, y, NULL, NULL);
+}
+
+/* The same in the blocked layout, stored as the registers hold it.
+ *   dirs  [blocks][3][8], SH_BLOCK = 8 directions a block (fill the last one up with any direction)
+ *   y     [blocks][N][8] */
+SH_API int SHI_FN(sh_eval_blocks)(int bands, size_t blocks, const SHI_T *dirs, SHI_T *y)
+{
+    const int status = SHI_FN(shi_check_basis)(bands, blocks * SH_BLOCK, dirs, y, y, NULL, NULL);
+    return status || !blocks ? status : SHI_MANY(shi_blocks_values)(bands, blocks, dirs, y);
+}
+
+/* Values and gradient of Y(v/|v|) by v, finite everywhere, the poles included.
+ *   v     any length from 1e-18 to 1e18 (double 1e-150 to 1e150)
+ *   y     [N] or NULL
+ *   grad  [3][N] or NULL
+ * Error:  y as sh_eval; |grad - exact| <= (8 + l(l+1)/4) eps G_l / |v|.
+ * Source: dQ_l^m/dz = Q_l^{m+1}, in place of M22 Eq. 23, which divides by sin(theta). */
+SH_API int SHI_FN(sh_eval_grad)(int bands, const SHI_T v[3], SHI_T *y, SHI_T *grad)
+{
+    const int status = SHI_FN(shi_check_basis)(bands, 1, v, v, y, grad, NULL);
+    if (status) return status;
+    return SHI_ONE(shi_single_gradient)(bands, v, y, grad) ? SH_OK : SHI_FN(shi_direction_status)(v);
+}
+
+/* Many: v[count][3], y[count][N] or NULL, grad[count][3][N] or NULL. */
+SH_API int SHI_FN(sh_eval_grad_n)(int bands, size_t count, const SHI_T *v, SHI_T *y, SHI_T *grad)
+{
+    const int status = SHI_FN(shi_check_basis)(bands, count, v, v, y, grad, NULL);
+    return status || !count ? status : SHI_FN(shi_batch)(bands, SH_GRADIENT, count, v, y, grad, NULL);
+}
+
+/* Blocked: v[blocks][3][8], y[blocks][N][8] or NULL, grad[blocks][3][N][8] or NULL. */
+SH_API int SHI_FN(sh_eval_grad_blocks)(int bands, size_t blocks, const SHI_T *v, SHI_T *y, SHI_T *grad)
+{
+    const int status = SHI_FN(shi_check_basis)(bands, blocks * SH_BLOCK, v, v, y, grad, NULL);
+    return status || !blocks ? status : SHI_MANY(shi_blocks_gradient)(bands, blocks, v, y, grad);
+}
+
+/* Values, gradient and Hessian of Y(v/|v|) by v.
+ *   y, grad  as above
+ *   hess     [6][N]: xx xy xz yy yz zz, or NULL
+ * Error:  |hess - exact| <= (16 + l(l+1)/2) eps l(l+1) M_l / |v|^2.
+ * Source: the same sweep with two columns ahead. */
+SH_API int SHI_FN(sh_eval_hessian)(int bands, const SHI_T v[3], SHI_T *y, SHI_T *grad, SHI_T *hess)
+{
+    const int status = SHI_FN(shi_check_basis)(bands, 1, v, v, y, grad, hess);
+    if (status) return status;
+    return SHI_ONE(shi_single_hessian)(bands, v, y, grad, hess) ? SH_OK : SHI_FN(shi_direction_status)(v);
+}
+
+/* Many: v[count][3], y[count][N], grad[count][3][N], hess[count][6][N]; any output may be NULL. */
+SH_API int SHI_FN(sh_eval_hessian_n)(int bands, size_t count, const SHI_T *v, SHI_T *y, SHI_T *grad, SHI_T *hess)
+{
+    const int status = SHI_FN(shi_check_basis)(bands, count, v, v, y, grad, hess);
+    return status || !count ? status : SHI_FN(shi_batch)(bands, SH_HESSIAN, count, v, y, grad, hess);
+}
+
+/* Blocked: v[blocks][3][8], y[blocks][N][8], grad[blocks][3][N][8], hess[blocks][6][N][8]; any output may be NULL. */
+SH_API int SHI_FN(sh_eval_hessian_blocks)(int bands, size_t blocks, const SHI_T *v, SHI_T *y, SHI_T *grad, SHI_T *hess)
+{
+    const int status = SHI_FN(shi_check_basis)(bands, blocks * SH_BLOCK, v, v, y, grad, hess);
+    return status || !blocks ? status : SHI_MANY(shi_blocks_hessian)(bands, blocks, v, y, grad, hess);
+}
+
+/* Values and derivatives by the polar angle theta and the azimuth phi, in radians; outputs [N], each may be NULL.
+ * Any theta. At a pole dtheta is the derivative along the meridian phi, and dphi is 0: moving phi there moves nothing.
+ * Error:  y, dtheta as sh_eval_grad at |v| = 1, dphi m times the bound of y; angles are taken as exact.
+ * Source: M22 Eq. 17-22 and 30-33 as corrected in docs/architecture.md, sin^{m-1}(theta) kept as a factor. */
+SH_API int SHI_FN(sh_eval_angles)(int bands, SHI_T theta, SHI_T phi, SHI_T *y, SHI_T *dtheta, SHI_T *dphi)
+{
+    if (bands < 1 || bands > SH_MAX_BANDS) return SH_ERROR_BANDS;
+    return SHI_FN(shi_angles_one)(bands, &theta, &phi, y, dtheta, dphi);
+}
+
+/* Many: theta[count], phi[count]; y, dtheta, dphi [count][N] or NULL. */
+SH_API int SHI_FN(sh_eval_angles_n)(int bands, size_t count, const SHI_T *theta, const SHI_T *phi,
+                                    SHI_T *y, SHI_T *dtheta, SHI_T *dphi)
+{
+    const size_t size = (size_t)bands * (size_t)bands, in = count * sizeof *theta, out = count * size * sizeof *theta;
+    if (count == 0) return SH_OK;
+    if (!theta || !phi) return SH_ERROR_NULL;
+    if (bands < 1 || bands > SH_MAX_BANDS) return SH_ERROR_BANDS;
+    if (count > SHI_MOST_ITEMS) return SH_ERROR_COUNT;
+    if (shi_overlap(theta, in, y, out) || shi_overlap(theta, in, dtheta, out) || shi_overlap(theta, in, dphi, out)
+        || shi_overlap(phi, in, y, out) || shi_overlap(phi, in, dtheta, out) || shi_overlap(phi, in, dphi, out))
+        return SH_ERROR_OVERLAP;
+    return size * 3 * SH_VECTOR_BYTES > SHI_STAGE ? SHI_ONE(shi_angles_batch)(bands, count, theta, phi, y, dtheta, dphi)
+                                                  : SHI_MANY(shi_angles_batch)(bands, count, theta, phi, y, dtheta, dphi);
+}
+
+/* ---- sums over directions ---- */
+
+/* value = sum c_i Y_i(d/|d|) at many directions, and its gradient by d; the basis is never stored.
+ *   coeffs  [N]
+ *   dirs    [count][3]
+ *   values  [count] or NULL
+ *   grads   [count][3] or NULL
+ * Error:  |value - exact| <= (8 + n^2/4) eps sqrt(sum_l M_l^2) |coeffs|_2 over n bands, gradients n times that / |d|. */
+SH_API int SHI_FN(sh_reconstruct_n)(int bands, const SHI_T *coeffs, size_t count, const SHI_T *dirs, SHI_T *values, SHI_T *grads)
+{
+    SHI_T a[SH_MAX_BANDS * SH_MAX_BANDS];
+    const size_t item = sizeof *coeffs, size = (size_t)bands * (size_t)bands;
+    if (count == 0) return SH_OK;
+    if (!coeffs || !dirs) return SH_ERROR_NULL;
+    if (bands < 1 || bands > SH_MAX_BANDS) return SH_ERROR_BANDS;
+    if (count > SHI_MOST_ITEMS) return SH_ERROR_COUNT;
+    if (shi_overlap(dirs, 3 * count * item, values, count * item) || shi_overlap(dirs, 3 * count * item, grads, 3 * count * item)
+        || shi_overlap(coeffs, size * item, values, count * item) || shi_overlap(coeffs, size * item, grads, 3 * count * item))
+        return SH_ERROR_OVERLAP;
+    if (bands <= SHI_HORNER_BANDS) SHI_FN(shi_horner_form)(bands, coeffs, a);
+    else SHI_FN(shi_forward_form)(bands, coeffs, a);
+    if (grads) return SHI_WIDE(shi_sum_gradient)(bands, a, count, dirs, values, grads);
+    return values ? SHI_WIDE(shi_sum_values)(bands, a, count, dirs, values) : SH_OK;
+}
+
+/* One direction: value, and grad[3] or NULL. For many directions sh_reconstruct_n shares the preparation of coeffs. */
+SH_API int SHI_FN(sh_reconstruct)(int bands, const SHI_T *coeffs, const SHI_T dir[3], SHI_T *value, SHI_T *grad)
+{
+    return SHI_FN(sh_reconstruct_n)(bands, coeffs, 1, dir, value, grad);
+}
+
+/* coeffs = sum_k weights[k] Y(dirs[k]): the projection of samples, weight = value x solid angle.
+ *   dirs     [count][3], any length
+ *   weights  [count]
+ *   coeffs   [N], overwritten; count 0 gives zeros
+ * Error:  |coeffs - exact| <= (8 + l(l+1)/4 + count/64) eps M_l sum |weights|. */
+SH_API int SHI_FN(sh_project_n)(int bands, size_t count, const SHI_T *dirs, const SHI_T *weights, SHI_T *coeffs)
+{
+    const size_t size = (size_t)bands * (size_t)bands, item = sizeof *coeffs;
+    SHI_T sum[SH_MAX_BANDS * SH_MAX_BANDS];
+    if (!coeffs || (count && (!dirs || !weights))) return SH_ERROR_NULL;
+    if (bands < 1 || bands > SH_MAX_BANDS) return SH_ERROR_BANDS;
+    if (count > SHI_MOST_ITEMS) return SH_ERROR_COUNT;
+    if (shi_overlap(dirs, 3 * count * item, coeffs, size * item) || shi_overlap(weights, count * item, coeffs, size * item))
+        return SH_ERROR_OVERLAP;
+    if (SHI_WIDE(shi_moments_values)(bands, NULL, count, dirs, weights, sum))
+        return SHI_FN(shi_finite)(dirs, 3 * count) ? SH_ERROR_DIRECTION : SH_ERROR_NOT_FINITE;
+    memcpy(coeffs, sum, size * item);
+    return SH_OK;
+}
+
+/* Coefficients of a light field seen from one point, and their gradient by that point, from samples with depth and normal
+ * (the texels of a cube map rendered there).
+ *   dirs          [count][3], unit
+ *   solid_angles  [count]
+ *   radiance      [count]
+ *   depth         [count], distance along the direction, > 0; infinity means no parallax
+ *   normals       [count][3] of the surface seen, either orientation; zero: the orientation term is left out
+ *   coeffs        [N]
+ *   grad          [3][N] or NULL
+ * The gradient is exact for planar emitters up to the sampling. At a silhouette n.w goes to 0: |n.w| is taken as at
+ * least 1e-3 |n|, which bounds what a grazing texel can add.
+ * Source: A04 Eq. 10-13, with the same signed normal in both terms. */
+SH_API int SHI_FN(sh_light_field)(int bands, size_t count, const SHI_T *dirs, const SHI_T *solid_angles, const SHI_T *radiance,
+                                  const SHI_T *depth, const SHI_T *normals, SHI_T *coeffs, SHI_T *grad)
+{
+    if (!coeffs || (count && (!dirs || !solid_angles || !radiance || (grad && (!depth || !normals))))) return SH_ERROR_NULL;
+    if (bands < 1 || bands > SH_MAX_BANDS) return SH_ERROR_BANDS;
+    if (count > SHI_MOST_ITEMS) return SH_ERROR_COUNT;
+    {
+        const void *in[5];
+        const size_t item = sizeof *coeffs, size = (size_t)(bands * bands) * item;
+        size_t k;
+        in[0] = dirs;
+        in[1] = normals;
+        in[2] = solid_angles;
+        in[3] = radiance;
+        in[4] = depth;
+        for (k = 0; k < 5; k++) {
+            const size_t bytes = count * item * (k < 2 ? 3 : 1);
+            if (shi_overlap(in[k], bytes, coeffs, size) || shi_overlap(in[k], bytes, grad, 3 * size)) return SH_ERROR_OVERLAP;
+        }
+    }
+    return SHI_FN(shi_light_field)(bands, count, dirs, solid_angles, radiance, depth, normals, coeffs, grad);
+}
+
+/* ---- zonal harmonics ---- */
+
+/* Zonal harmonics of a cap of unit radiance about +z, and their derivative by its half-angle.
+ *   sin_half_angle  0..1; a spherical light of radius r at distance d has r/d
+ *   zh, dzh         [bands], zh_l = L_l0; each may be NULL
+ * Error:  |zh - exact| <= 24 eps M_l Omega, |dzh - exact| <= 32 eps M_l dOmega; x 1/(1 - sin^2) above 0.995.
+ * Source: M22 Eq. 9, 14 without their cancellation: zh_l = M_l 2 pi s^2 P_l'(alpha) / (l(l+1)). */
+SH_API int SHI_FN(sh_zonal_cap)(int bands, SHI_T sin_half_angle, SHI_T *zh, SHI_T *dzh)
+{
+    SHI_T f[SH_MAX_BANDS], f1[SH_MAX_BANDS], f2[SH_MAX_BANDS];
+    const SHI_T s = sin_half_angle, cosine = SHI_LIBM(sqrt)((SHI_C(1) - s) * (SHI_C(1) + s));
+    int l;
+    if (bands < 1 || bands > SH_MAX_BANDS) return SH_ERROR_BANDS;
+    if (!SHI_FN(shi_finite)(&s, 1)) return SH_ERROR_NOT_FINITE;
+    if (!(s >= 0 && s <= 1)) return SH_ERROR_RADIUS;
+    SHI_FN(shi_cap)(bands, s, cosine, 0, f, f1, f2);
+    for (l = 0; l < bands; l++) {
+        if (zh) zh[l] = SHI_FN(shi_zonal)[l] * f[l];
+        if (dzh) dzh[l] = SHI_FN(shi_zonal)[l] * f1[l];
+    }
+    return SH_OK;
+}
+
+/* Coefficients of a zonal function about any axis: coeffs_lm = sqrt(4 pi/(2l+1)) zh_l Y_lm(dir).
+ *   zh      [bands]
+ *   coeffs  [N]
+ * Source: M22 Eq. 11. */
+SH_API int SHI_FN(sh_zonal_rotate)(int bands, const SHI_T *zh, const SHI_T dir[3], SHI_T *coeffs)
+{
+    int l, m;
+    const int status = zh ? SHI_FN(sh_eval)(bands, dir, coeffs) : SH_ERROR_NULL;
+    if (status) return status;
+    for (l = 0; l < bands; l++) {
+        const SHI_T f = zh[l] / SHI_FN(shi_zonal)[l];
+        for (m = -l; m <= l; m++) coeffs[l * (l + 1) + m] *= f;
+    }
+    return SH_OK;
+}
+
+/* Coefficients of any circularly symmetric light, its profile given, and their derivatives by the shading point.
+ *   to_light  center - point, length d
+ *   zh        [bands]: zonal harmonics of the light as seen from distance d
+ *   dzh       [bands]: their derivative by d; needed for grad and hess
+ *   ddzh      [bands]: second derivative; needed for hess
+ *   coeffs    [N];  grad [3][N] or NULL;  hess [6][N] or NULL
+ * Error:  that of sh_eval_grad and sh_eval_hessian times the profile.
+ * Source: M22 Eq. 11, 12; Hessian by differentiating once more. */
+SH_API int SHI_FN(sh_zonal_light)(int bands, const SHI_T to_light[3], const SHI_T *zh, const SHI_T *dzh, const SHI_T *ddzh,
+                                  SHI_T *coeffs, SHI_T *grad, SHI_T *hess)
+{
+    SHI_T f[3][SH_MAX_BANDS];
+    const int status = SHI_FN(shi_check_basis)(bands, 1, to_light, coeffs, coeffs, grad, hess);
+    int l;
+    if (status) return status;
+    if (!zh || ((grad || hess) && !dzh) || (hess && !ddzh)) return SH_ERROR_NULL;
+    for (l = 0; l < bands; l++) {
+        const SHI_T k = SHI_C(1) / SHI_FN(shi_zonal)[l];
+        f[0][l] = k * zh[l];
+        f[1][l] = grad || hess ? k * dzh[l] : 0;
+        f[2][l] = hess ? k * ddzh[l] : 0;
+    }
+    return SHI_FN(shi_symmetric)(bands, to_light, f[0], f[1], f[2], coeffs, grad, hess);
+}
+
+/* ---- spherical lights ---- */
+
+/* Coefficients of a spherical light of unit radiance, their gradient and Hessian by the shading point.
+ *   point, center  finite; distance 1e-18..1e18 (double 1e-150..1e150)
+ *   radius         >= 0; 0 gives zeros
+ *   coeffs         [N];  grad [3][N] or NULL;  hess [6][N] or NULL
+ * A point on or inside the sphere sees light everywhere: L_00 = 2 sqrt(pi), the rest 0, status SH_INSIDE.
+ * Error:  |coeffs - exact| <= 24 eps M_l Omega, |grad - exact| <= 32 eps (M_l |grad Omega| + G_l Omega/d),
+ *         x 1/(1 - (r/d)^2) above r/d = 0.995.
+ * Source: M22 Eq. 9-16 in a form without cancellation, for every r/d. */
+SH_API int SHI_FN(sh_sphere_hessian)(int bands, const SHI_T point[3], const SHI_T center[3], SHI_T radius,
+                                     SHI_T *coeffs, SHI_T *grad, SHI_T *hess)
+{
+    const int status = SHI_FN(shi_check_basis)(bands, 1, point, center, coeffs, grad, hess);
+    if (status) return status;
+    if (!coeffs) return SH_ERROR_NULL;
+    return SHI_FN(shi_sphere)(bands, point, center, radius, coeffs, grad, hess);
+}
+
+/* sh_sphere_hessian without the Hessian. */
+SH_API int SHI_FN(sh_sphere)(int bands, const SHI_T point[3], const SHI_T center[3], SHI_T radius, SHI_T *coeffs, SHI_T *grad)
+{
+    return SHI_FN(sh_sphere_hessian)(bands, point, center, radius, coeffs, grad, NULL);
+}
+
+/* Sums of many spherical lights at many points.
+ *   planes    SH_VALUES, SH_GRADIENT or SH_HESSIAN
+ *   channels  >= 1
+ *   point     [points][3]
+ *   spheres   [4][count]: x, y, z, radius
+ *   radiance  [channels][count], or NULL: 1
+ *   out       [points][channels][planes][N]; for one channel and SH_GRADIENT: values, d/dx, d/dy, d/dz
+ * Status SH_INSIDE when a point is on or inside a light, which then adds 2 sqrt(pi) to L_00 and nothing to derivatives.
+ * A light that is not valid is an error before anything is written; a point that is not finite is an error of its own outputs.
+ * Error:  the bounds of sh_sphere_hessian summed over the lights, plus count/64 eps of the sum of magnitudes.
+ * Source: M22 Eq. 12 in moment form: d/dx_k of f(d) Y_l is a fixed sparse combination of (f' + (l+1)f/d) Y_{l-1} and
+ *         (f' - l f/d) Y_{l+1}, so lights share three running sums, and six with Hessians; M22 5.1's reverse order. */
+SH_API int SHI_FN(sh_spheres_n)(int bands, int planes, int channels, size_t points, const SHI_T *point,
+                                size_t count, const SHI_T *spheres, const SHI_T *radiance, SHI_T *out)
+{
+    const int status = SHI_FN(shi_check_spheres)(bands, planes, channels, points, point, count, spheres, radiance, out);
+    if (status || !points) return status;
+    return SHI_FN(shi_spheres)(bands, planes, channels, points, point, NULL, 0, count, spheres, radiance, out);
+}
+
+/* One point: out[channels][planes][N]. */
+SH_API int SHI_FN(sh_spheres)(int bands, int planes, int channels, const SHI_T point[3],
+                              size_t count, const SHI_T *spheres, const SHI_T *radiance, SHI_T *out)
+{
+    return SHI_FN(sh_spheres_n)(bands, planes, channels, 1, point, count, spheres, radiance, out);
+}
+
+/* Nodes first .. first+nodes-1 of a grid (x fastest): out[nodes][channels][planes][N] holds those nodes only, so a job system
+ * gives each job a range. */
+SH_API int SHI_FN(sh_spheres_grid)(int bands, int planes, int channels, const SHI_FN(sh_grid) *grid, size_t first, size_t nodes,
+                                   size_t count, const SHI_T *spheres, const SHI_T *radiance, SHI_T *out)
+{
+    int status;
+    if (!grid) return SH_ERROR_NULL;
+    status = SHI_FN(shi_check_grid)(grid, first, nodes);
+    if (!status) status = SHI_FN(shi_check_spheres)(bands, planes, channels, nodes, spheres, count, spheres, radiance, out);
+    if (status || !nodes) return status;
+    return SHI_FN(shi_spheres)(bands, planes, channels, nodes, NULL, grid, first, count, spheres, radiance, out);
+}
+
+/* ================================================================================================================
+ * Tables and types: once per precision.
+ * ============================================================================================================= */
+#elif SHI_ROOM == SHI_TABLES
+
+/* Nodes at origin + (i, j, k) cell, x fastest. A count of 1 makes the field constant along that axis. */
+typedef struct SHI_FN(sh_grid) {
+    SHI_T origin[3];
+    SHI_T cell[3];
+    int   count[3];
+} SHI_FN(sh_grid);
+
+/* no NaN or infinity among v[count]; looks at exponent bits, so that -ffast-math cannot remove it */
+SHI_INLINE int SHI_FN(shi_finite)(const SHI_T *v, size_t count)
+{
+    const SHI_T limit = SHI_BITS == 32 ? SHI_C(3.4028234663852886e38) : SHI_C(1.7976931348623157e308 * (SHI_BITS == 64));
+    SHI_I most, bits;
+    size_t i;
+    memcpy(&most, &limit, sizeof most);
+    for (i = 0; i < count; i++) {
+        memcpy(&bits, v + i, sizeof bits);
+        bits &= (SHI_I)(((unsigned long long)1 << (SHI_BITS - 1)) - 1);
+        if (bits > most) return 0;
+    }
+    return 1;
+}
+
+/* why a direction was refused */
+SHI_INLINE int SHI_FN(shi_direction_status)(const SHI_T v[3])
+{
+    return SHI_FN(shi_finite)(v, 3) ? SH_ERROR_DIRECTION : SH_ERROR_NOT_FINITE;
+}
+
+SHI_NOINLINE int SHI_FN(shi_one_by_one)(int n, int planes, size_t count, const SHI_T *dirs, int axis, int next,
+                                        SHI_T *y, int ys, int y_next, SHI_T *g, int gs, int g_next, SHI_T *h, int hs, int h_next);
+SHI_NOINLINE int SHI_FN(shi_angles_one)(int n, const SHI_T *theta, const SHI_T *phi, SHI_T *y, SHI_T *dt, SHI_T *dp);
+
+/* BEGIN tools/gen_gradient.py */
+/* [l(l+1)/2 + m]: q_l = z q_{l-1} - beta q_{l-2}; (l,l) holds -1, the seed of a column */
+static const SHI_T SHI_FN(shi_beta)[595] = {
+    SHI_C(-1.0), SHI_C(0.0), SHI_C(-1.0), SHI_C(0.3333333333333333), SHI_C(0.0), SHI_C(-1.0),
+    SHI_C(0.26666666666666666), SHI_C(0.2), SHI_C(0.0), SHI_C(-1.0), SHI_C(0.2571428571428571),
+    SHI_C(0.22857142857142856), SHI_C(0.14285714285714285), SHI_C(0.0), SHI_C(-1.0),
+    SHI_C(0.25396825396825395), SHI_C(0.23809523809523808), SHI_C(0.19047619047619047),
+    SHI_C(0.1111111111111111), SHI_C(0.0), SHI_C(-1.0), SHI_C(0.25252525252525254),
+    SHI_C(0.24242424242424243), SHI_C(0.21212121212121213), SHI_C(0.16161616161616163),
+    SHI_C(0.09090909090909091), SHI_C(0.0), SHI_C(-1.0), SHI_C(0.2517482517482518),
+    SHI_C(0.24475524475524477), SHI_C(0.22377622377622378), SHI_C(0.1888111888111888),
+    SHI_C(0.13986013986013987), SHI_C(0.07692307692307693), SHI_C(0.0), SHI_C(-1.0),
+    SHI_C(0.2512820512820513), SHI_C(0.24615384615384617), SHI_C(0.23076923076923078),
+    SHI_C(0.20512820512820512), SHI_C(0.16923076923076924), SHI_C(0.12307692307692308),
+    SHI_C(0.06666666666666667), SHI_C(0.0), SHI_C(-1.0), SHI_C(0.25098039215686274),
+    SHI_C(0.24705882352941178), SHI_C(0.23529411764705882), SHI_C(0.21568627450980393),
+    SHI_C(0.18823529411764706), SHI_C(0.15294117647058825), SHI_C(0.10980392156862745),
+    SHI_C(0.058823529411764705), SHI_C(0.0), SHI_C(-1.0), SHI_C(0.25077399380804954),
+    SHI_C(0.2476780185758514), SHI_C(0.23839009287925697), SHI_C(0.22291021671826625),
+    SHI_C(0.20123839009287925), SHI_C(0.17337461300309598), SHI_C(0.1393188854489164),
+    SHI_C(0.09907120743034056), SHI_C(0.05263157894736842), SHI_C(0.0), SHI_C(-1.0),
+    SHI_C(0.2506265664160401), SHI_C(0.24812030075187969), SHI_C(0.24060150375939848),
+    SHI_C(0.22807017543859648), SHI_C(0.21052631578947367), SHI_C(0.18796992481203006),
+    SHI_C(0.16040100250626566), SHI_C(0.12781954887218044), SHI_C(0.09022556390977443),
+    SHI_C(0.047619047619047616), SHI_C(0.0), SHI_C(-1.0), SHI_C(0.2505175983436853),
+    SHI_C(0.2484472049689441), SHI_C(0.2422360248447205), SHI_C(0.2318840579710145),
+    SHI_C(0.21739130434782608), SHI_C(0.19875776397515527), SHI_C(0.17598343685300208),
+    SHI_C(0.14906832298136646), SHI_C(0.11801242236024845), SHI_C(0.08281573498964803),
+    SHI_C(0.043478260869565216), SHI_C(0.0), SHI_C(-1.0), SHI_C(0.25043478260869567),
+    SHI_C(0.24869565217391304), SHI_C(0.24347826086956523), SHI_C(0.23478260869565218),
+    SHI_C(0.22260869565217392), SHI_C(0.20695652173913043), SHI_C(0.18782608695652173),
+    SHI_C(0.16521739130434782), SHI_C(0.1391304347826087), SHI_C(0.10956521739130434),
+    SHI_C(0.07652173913043478), SHI_C(0.04), SHI_C(0.0), SHI_C(-1.0), SHI_C(0.25037037037037035),
+    SHI_C(0.24888888888888888), SHI_C(0.24444444444444444), SHI_C(0.23703703703703705),
+    SHI_C(0.22666666666666666), SHI_C(0.21333333333333335), SHI_C(0.19703703703703704),
+    SHI_C(0.17777777777777778), SHI_C(0.15555555555555556), SHI_C(0.13037037037037036),
+    SHI_C(0.10222222222222223), SHI_C(0.07111111111111111), SHI_C(0.037037037037037035), SHI_C(0.0),
+    SHI_C(-1.0), SHI_C(0.2503192848020434), SHI_C(0.24904214559386972), SHI_C(0.24521072796934865),
+    SHI_C(0.2388250319284802), SHI_C(0.22988505747126436), SHI_C(0.21839080459770116),
+    SHI_C(0.20434227330779056), SHI_C(0.18773946360153257), SHI_C(0.1685823754789272),
+    SHI_C(0.14687100893997446), SHI_C(0.12260536398467432), SHI_C(0.09578544061302682),
+    SHI_C(0.06641123882503193), SHI_C(0.034482758620689655), SHI_C(0.0), SHI_C(-1.0),
+    SHI_C(0.25027808676307006), SHI_C(0.24916573971078976), SHI_C(0.24582869855394884),
+    SHI_C(0.24026696329254726), SHI_C(0.2324805339265851), SHI_C(0.22246941045606228),
+    SHI_C(0.21023359288097887), SHI_C(0.19577308120133483), SHI_C(0.17908787541713014),
+    SHI_C(0.16017797552836485), SHI_C(0.13904338153503892), SHI_C(0.11568409343715239),
+    SHI_C(0.09010011123470522), SHI_C(0.06229143492769744), SHI_C(0.03225806451612903), SHI_C(0.0),
+    SHI_C(-1.0), SHI_C(0.25024437927663734), SHI_C(0.24926686217008798), SHI_C(0.24633431085043989),
+    SHI_C(0.24144672531769307), SHI_C(0.23460410557184752), SHI_C(0.22580645161290322),
+    SHI_C(0.21505376344086022), SHI_C(0.20234604105571846), SHI_C(0.187683284457478),
+    SHI_C(0.1710654936461388), SHI_C(0.15249266862170088), SHI_C(0.13196480938416422),
+    SHI_C(0.10948191593352884), SHI_C(0.08504398826979472), SHI_C(0.05865102639296188),
+    SHI_C(0.030303030303030304), SHI_C(0.0), SHI_C(-1.0), SHI_C(0.2502164502164502),
+    SHI_C(0.24935064935064935), SHI_C(0.24675324675324675), SHI_C(0.24242424242424243),
+    SHI_C(0.23636363636363636), SHI_C(0.22857142857142856), SHI_C(0.21904761904761905),
+    SHI_C(0.2077922077922078), SHI_C(0.19480519480519481), SHI_C(0.1800865800865801),
+    SHI_C(0.16363636363636364), SHI_C(0.14545454545454545), SHI_C(0.12554112554112554),
+    SHI_C(0.1038961038961039), SHI_C(0.08051948051948052), SHI_C(0.05541125541125541),
+    SHI_C(0.02857142857142857), SHI_C(0.0), SHI_C(-1.0), SHI_C(0.2501930501930502),
+    SHI_C(0.2494208494208494), SHI_C(0.2471042471042471), SHI_C(0.24324324324324326),
+    SHI_C(0.23783783783783785), SHI_C(0.2308880308880309), SHI_C(0.22239382239382238),
+    SHI_C(0.21235521235521235), SHI_C(0.20077220077220076), SHI_C(0.18764478764478765),
+    SHI_C(0.17297297297297298), SHI_C(0.15675675675675677), SHI_C(0.138996138996139),
+    SHI_C(0.11969111969111969), SHI_C(0.09884169884169884), SHI_C(0.07644787644787644),
+    SHI_C(0.05250965250965251), SHI_C(0.02702702702702703), SHI_C(0.0), SHI_C(-1.0),
+    SHI_C(0.25017325017325015), SHI_C(0.2494802494802495), SHI_C(0.24740124740124741),
+    SHI_C(0.24393624393624394), SHI_C(0.2390852390852391), SHI_C(0.23284823284823286),
+    SHI_C(0.22522522522522523), SHI_C(0.21621621621621623), SHI_C(0.20582120582120583),
+    SHI_C(0.19404019404019404), SHI_C(0.18087318087318088), SHI_C(0.16632016632016633),
+    SHI_C(0.15038115038115038), SHI_C(0.13305613305613306), SHI_C(0.11434511434511435),
+    SHI_C(0.09424809424809424), SHI_C(0.07276507276507277), SHI_C(0.0498960498960499),
+    SHI_C(0.02564102564102564), SHI_C(0.0), SHI_C(-1.0), SHI_C(0.2501563477173233), SHI_C(0.24953095684803),
+    SHI_C(0.24765478424015008), SHI_C(0.24452782989368355), SHI_C(0.2401500938086304),
+    SHI_C(0.23452157598499063), SHI_C(0.22764227642276422), SHI_C(0.21951219512195122),
+    SHI_C(0.2101313320825516), SHI_C(0.19949968730456535), SHI_C(0.18761726078799248),
+    SHI_C(0.17448405253283303), SHI_C(0.16010006253908693), SHI_C(0.14446529080675422),
+    SHI_C(0.1275797373358349), SHI_C(0.10944340212632896), SHI_C(0.0900562851782364),
+    SHI_C(0.06941838649155722), SHI_C(0.047529706066291436), SHI_C(0.024390243902439025), SHI_C(0.0),
+    SHI_C(-1.0), SHI_C(0.25014180374361883), SHI_C(0.2495745887691435), SHI_C(0.24787294384571754),
+    SHI_C(0.2450368689733409), SHI_C(0.2410663641520136), SHI_C(0.23596142938173567),
+    SHI_C(0.22972206466250708), SHI_C(0.22234826999432786), SHI_C(0.21384004537719795),
+    SHI_C(0.2041973908111174), SHI_C(0.19342030629608623), SHI_C(0.18150879183210436),
+    SHI_C(0.16846284741917186), SHI_C(0.1542824730572887), SHI_C(0.13896766874645491),
+    SHI_C(0.12251843448667045), SHI_C(0.10493477027793534), SHI_C(0.08621667612024958),
+    SHI_C(0.06636415201361316), SHI_C(0.04537719795802609), SHI_C(0.023255813953488372), SHI_C(0.0),
+    SHI_C(-1.0), SHI_C(0.2501291989664083), SHI_C(0.2496124031007752), SHI_C(0.24806201550387597),
+    SHI_C(0.2454780361757106), SHI_C(0.24186046511627907), SHI_C(0.2372093023255814),
+    SHI_C(0.23152454780361756), SHI_C(0.2248062015503876), SHI_C(0.21705426356589147),
+    SHI_C(0.2082687338501292), SHI_C(0.19844961240310077), SHI_C(0.1875968992248062),
+    SHI_C(0.17571059431524547), SHI_C(0.16279069767441862), SHI_C(0.14883720930232558),
+    SHI_C(0.1338501291989664), SHI_C(0.11782945736434108), SHI_C(0.10077519379844961),
+    SHI_C(0.082687338501292), SHI_C(0.06356589147286822), SHI_C(0.043410852713178294),
+    SHI_C(0.022222222222222223), SHI_C(0.0), SHI_C(-1.0), SHI_C(0.25011820330969264),
+    SHI_C(0.24964539007092199), SHI_C(0.24822695035460993), SHI_C(0.2458628841607565),
+    SHI_C(0.2425531914893617), SHI_C(0.23829787234042554), SHI_C(0.233096926713948),
+    SHI_C(0.22695035460992907), SHI_C(0.2198581560283688), SHI_C(0.21182033096926714),
+    SHI_C(0.2028368794326241), SHI_C(0.19290780141843972), SHI_C(0.18203309692671396),
+    SHI_C(0.1702127659574468), SHI_C(0.1574468085106383), SHI_C(0.14373522458628843),
+    SHI_C(0.12907801418439716), SHI_C(0.11347517730496454), SHI_C(0.09692671394799054),
+    SHI_C(0.07943262411347518), SHI_C(0.06099290780141844), SHI_C(0.04160756501182033),
+    SHI_C(0.02127659574468085), SHI_C(0.0), SHI_C(-1.0), SHI_C(0.25010855405992183),
+    SHI_C(0.2496743378202345), SHI_C(0.24837168910117238), SHI_C(0.24620060790273557),
+    SHI_C(0.24316109422492402), SHI_C(0.23925314806773773), SHI_C(0.23447676943117673),
+    SHI_C(0.228831958315241), SHI_C(0.22231871471993053), SHI_C(0.21493703864524533),
+    SHI_C(0.2066869300911854), SHI_C(0.19756838905775076), SHI_C(0.18758141554494137),
+    SHI_C(0.17672600955275727), SHI_C(0.16500217108119844), SHI_C(0.15240990013026487),
+    SHI_C(0.1389491966999566), SHI_C(0.12462006079027356), SHI_C(0.1094224924012158),
+    SHI_C(0.09335649153278333), SHI_C(0.07642205818497612), SHI_C(0.058619192357794184),
+    SHI_C(0.03994789405123752), SHI_C(0.02040816326530612), SHI_C(0.0), SHI_C(-1.0),
+    SHI_C(0.2501000400160064), SHI_C(0.24969987995198079), SHI_C(0.24849939975990396),
+    SHI_C(0.24649859943977592), SHI_C(0.24369747899159663), SHI_C(0.24009603841536614),
+    SHI_C(0.23569427771108442), SHI_C(0.2304921968787515), SHI_C(0.22448979591836735),
+    SHI_C(0.21768707482993196), SHI_C(0.21008403361344538), SHI_C(0.20168067226890757),
+    SHI_C(0.19247699079631853), SHI_C(0.18247298919567828), SHI_C(0.1716686674669868),
+    SHI_C(0.1600640256102441), SHI_C(0.14765906362545017), SHI_C(0.13445378151260504),
+    SHI_C(0.12044817927170869), SHI_C(0.1056422569027611), SHI_C(0.09003601440576231),
+    SHI_C(0.07362945178071229), SHI_C(0.056422569027611044), SHI_C(0.03841536614645858),
+    SHI_C(0.0196078431372549), SHI_C(0.0), SHI_C(-1.0), SHI_C(0.25009248982611915),
+    SHI_C(0.24972253052164262), SHI_C(0.2486126526082131), SHI_C(0.24676285608583057),
+    SHI_C(0.244173140954495), SHI_C(0.24084350721420644), SHI_C(0.23677395486496486),
+    SHI_C(0.23196448390677027), SHI_C(0.22641509433962265), SHI_C(0.22012578616352202),
+    SHI_C(0.21309655937846836), SHI_C(0.20532741398446172), SHI_C(0.19681834998150202),
+    SHI_C(0.18756936736958935), SHI_C(0.17758046614872364), SHI_C(0.16685164631890492),
+    SHI_C(0.15538290788013318), SHI_C(0.14317425083240842), SHI_C(0.13022567517573067),
+    SHI_C(0.11653718091009989), SHI_C(0.10210876803551609), SHI_C(0.08694043655197928),
+    SHI_C(0.07103218645948946), SHI_C(0.05438401775804662), SHI_C(0.03699593044765076),
+    SHI_C(0.018867924528301886), SHI_C(0.0), SHI_C(-1.0), SHI_C(0.25008576329331045),
+    SHI_C(0.2497427101200686), SHI_C(0.24871355060034306), SHI_C(0.2469982847341338),
+    SHI_C(0.24459691252144083), SHI_C(0.24150943396226415), SHI_C(0.23773584905660378),
+    SHI_C(0.2332761578044597), SHI_C(0.2281303602058319), SHI_C(0.22229845626072042),
+    SHI_C(0.2157804459691252), SHI_C(0.2085763293310463), SHI_C(0.2006861063464837),
+    SHI_C(0.19210977701543738), SHI_C(0.18284734133790737), SHI_C(0.17289879931389365),
+    SHI_C(0.16226415094339622), SHI_C(0.1509433962264151), SHI_C(0.13893653516295026),
+    SHI_C(0.12624356775300172), SHI_C(0.11286449399656946), SHI_C(0.09879931389365351),
+    SHI_C(0.08404802744425385), SHI_C(0.0686106346483705), SHI_C(0.05248713550600343),
+    SHI_C(0.03567753001715266), SHI_C(0.01818181818181818), SHI_C(0.0), SHI_C(-1.0),
+    SHI_C(0.2500797448165869), SHI_C(0.24976076555023924), SHI_C(0.24880382775119617),
+    SHI_C(0.24720893141945774), SHI_C(0.24497607655502393), SHI_C(0.24210526315789474),
+    SHI_C(0.23859649122807017), SHI_C(0.23444976076555024), SHI_C(0.22966507177033493),
+    SHI_C(0.22424242424242424), SHI_C(0.21818181818181817), SHI_C(0.21148325358851675),
+    SHI_C(0.20414673046251994), SHI_C(0.19617224880382775), SHI_C(0.1875598086124402),
+    SHI_C(0.17830940988835725), SHI_C(0.16842105263157894), SHI_C(0.15789473684210525),
+    SHI_C(0.1467304625199362), SHI_C(0.13492822966507176), SHI_C(0.12248803827751197),
+    SHI_C(0.10940988835725678), SHI_C(0.09569377990430622), SHI_C(0.08133971291866028),
+    SHI_C(0.06634768740031897), SHI_C(0.05071770334928229), SHI_C(0.03444976076555024),
+    SHI_C(0.017543859649122806), SHI_C(0.0), SHI_C(-1.0), SHI_C(0.25007433838834375),
+    SHI_C(0.24977698483496877), SHI_C(0.2488849241748439), SHI_C(0.24739815640796908),
+    SHI_C(0.24531668153434433), SHI_C(0.24264049955396966), SHI_C(0.23936961046684507),
+    SHI_C(0.23550401427297057), SHI_C(0.2310437109723461), SHI_C(0.22598870056497175),
+    SHI_C(0.22033898305084745), SHI_C(0.21409455842997324), SHI_C(0.2072554267023491),
+    SHI_C(0.19982158786797502), SHI_C(0.19179304192685104), SHI_C(0.1831697888789771),
+    SHI_C(0.17395182872435325), SHI_C(0.1641391614629795), SHI_C(0.15373178709485577),
+    SHI_C(0.14272970561998216), SHI_C(0.1311329170383586), SHI_C(0.11894142134998513),
+    SHI_C(0.10615521855486174), SHI_C(0.0927743086529884), SHI_C(0.07879869164436515),
+    SHI_C(0.06422836752899197), SHI_C(0.04906333630686887), SHI_C(0.033303597977995834),
+    SHI_C(0.01694915254237288), SHI_C(0.0), SHI_C(-1.0), SHI_C(0.2500694637399278),
+    SHI_C(0.24979160878021672), SHI_C(0.24895804390108364), SHI_C(0.24756876910252848),
+    SHI_C(0.24562378438455126), SHI_C(0.243123089747152), SHI_C(0.24006668519033064),
+    SHI_C(0.23645457071408724), SHI_C(0.23228674631842178), SHI_C(0.22756321200333426),
+    SHI_C(0.22228396776882467), SHI_C(0.21644901361489302), SHI_C(0.21005834954153932),
+    SHI_C(0.20311197554876353), SHI_C(0.19560989163656572), SHI_C(0.1875520978049458),
+    SHI_C(0.17893859405390386), SHI_C(0.16976938038343983), SHI_C(0.16004445679355375),
+    SHI_C(0.14976382328424562), SHI_C(0.13892747985551543), SHI_C(0.12753542650736316),
+    SHI_C(0.11558766323978883), SHI_C(0.10308419005279244), SHI_C(0.090025006946374),
+    SHI_C(0.07641011392053348), SHI_C(0.06223951097527091), SHI_C(0.047513198110586276),
+    SHI_C(0.03223117532647958), SHI_C(0.01639344262295082), SHI_C(0.0), SHI_C(-1.0),
+    SHI_C(0.25006505334374185), SHI_C(0.2498048399687744), SHI_C(0.24902419984387197),
+    SHI_C(0.24772313296903462), SHI_C(0.2459016393442623), SHI_C(0.24355971896955503),
+    SHI_C(0.24069737184491283), SHI_C(0.2373145979703357), SHI_C(0.23341139734582358),
+    SHI_C(0.22898776997137654), SHI_C(0.22404371584699453), SHI_C(0.2185792349726776),
+    SHI_C(0.2125943273484257), SHI_C(0.20608899297423888), SHI_C(0.1990632318501171),
+    SHI_C(0.19151704397606037), SHI_C(0.1834504293520687), SHI_C(0.17486338797814208),
+    SHI_C(0.1657559198542805), SHI_C(0.156128024980484), SHI_C(0.14597970335675253),
+    SHI_C(0.13531095498308612), SHI_C(0.12412177985948478), SHI_C(0.11241217798594848),
+    SHI_C(0.10018214936247723), SHI_C(0.08743169398907104), SHI_C(0.0741608118657299),
+    SHI_C(0.06036950299245381), SHI_C(0.04605776736924278), SHI_C(0.0312256049960968),
+    SHI_C(0.015873015873015872), SHI_C(0.0), SHI_C(-1.0), SHI_C(0.25006105006105006),
+    SHI_C(0.24981684981684982), SHI_C(0.2490842490842491), SHI_C(0.24786324786324787),
+    SHI_C(0.24615384615384617), SHI_C(0.24395604395604395), SHI_C(0.24126984126984127),
+    SHI_C(0.23809523809523808), SHI_C(0.23443223443223443), SHI_C(0.23028083028083027),
+    SHI_C(0.22564102564102564), SHI_C(0.2205128205128205), SHI_C(0.2148962148962149),
+    SHI_C(0.2087912087912088), SHI_C(0.2021978021978022), SHI_C(0.19511599511599512),
+    SHI_C(0.18754578754578755), SHI_C(0.1794871794871795), SHI_C(0.17094017094017094),
+    SHI_C(0.1619047619047619), SHI_C(0.1523809523809524), SHI_C(0.14236874236874236),
+    SHI_C(0.13186813186813187), SHI_C(0.12087912087912088), SHI_C(0.1094017094017094),
+    SHI_C(0.09743589743589744), SHI_C(0.08498168498168499), SHI_C(0.07203907203907203),
+    SHI_C(0.05860805860805861), SHI_C(0.04468864468864469), SHI_C(0.03028083028083028),
+    SHI_C(0.015384615384615385), SHI_C(0.0), SHI_C(-1.0)
+};
+/* [l(l+1)/2 + m]: Y_lm = norm q_l^m(z) Re or Im (x+iy)^m */
+static const SHI_T SHI_FN(shi_norm)[595] = {
+    SHI_C(0.28209479177387814), SHI_C(0.4886025119029199), SHI_C(0.4886025119029199),
+    SHI_C(0.94617469575756), SHI_C(1.0925484305920792), SHI_C(0.5462742152960396), SHI_C(1.865881662950577),
+    SHI_C(2.2852289973223288), SHI_C(1.4453057213202771), SHI_C(0.5900435899266435),
+    SHI_C(3.7024941420321507), SHI_C(4.683325804901024), SHI_C(3.3116114351514603),
+    SHI_C(1.7701307697799304), SHI_C(0.6258357354491761), SHI_C(7.367870314565686),
+    SHI_C(9.511879675109636), SHI_C(7.190305177459986), SHI_C(4.403144694917254), SHI_C(2.075662314881041),
+    SHI_C(0.6563820568401701), SHI_C(14.684485723822167), SHI_C(19.226504963118135),
+    SHI_C(15.199886781996238), SHI_C(10.133257854664159), SHI_C(5.550213908015966),
+    SHI_C(2.366619162231752), SHI_C(0.6831841051919143), SHI_C(29.29395479525012), SHI_C(38.75225965289993),
+    SHI_C(31.64108750981626), SHI_C(22.373627542308046), SHI_C(13.491805046726768),
+    SHI_C(6.745902523363384), SHI_C(2.6459606618019), SHI_C(0.7071627325245962), SHI_C(58.47336811322075),
+    SHI_C(77.96449081762766), SHI_C(65.22977295619205), SHI_C(48.17538005652622), SHI_C(31.097074109356495),
+    SHI_C(17.24955311049054), SHI_C(7.9849914908931385), SHI_C(2.9157066406993195),
+    SHI_C(0.7289266601748299), SHI_C(116.76612339861902), SHI_C(156.65819363306454),
+    SHI_C(133.59855642218116), SHI_C(102.03758292357897), SHI_C(69.32088705839595),
+    SHI_C(41.427153718316575), SHI_C(21.392890190908638), SHI_C(9.263393182848905),
+    SHI_C(3.1773176489546975), SHI_C(0.7489009518531883), SHI_C(233.2401488132579),
+    SHI_C(314.50095250160916), SHI_C(272.3658143807966), SHI_C(213.66132344050345),
+    SHI_C(151.08137068207222), SHI_C(95.552248675107), SHI_C(53.41533086012586), SHI_C(25.910241313366303),
+    SHI_C(10.577811721687949), SHI_C(3.4318952998917145), SHI_C(0.76739511822199), SHI_C(465.9981473192521),
+    SHI_C(630.9644742184684), SHI_C(553.3924520111509), SHI_C(443.7010619683857), SHI_C(324.0334405721099),
+    SHI_C(214.32797505560748), SHI_C(127.3297907354854), SHI_C(67.10869211945669),
+    SHI_C(30.791579703357485), SHI_C(11.925527539452185), SHI_C(3.680297698805311),
+    SHI_C(0.7846421057871968), SHI_C(931.1869186329141), SHI_C(1265.2338749567052),
+    SHI_C(1121.5099624332224), SHI_C(915.7090498031087), SHI_C(686.7817873523314), SHI_C(471.1284193302729),
+    SHI_C(293.8001883843744), SHI_C(165.10145272850033), SHI_C(82.55072636425017), SHI_C(36.02809068931077),
+    SHI_C(13.304254200257635), SHI_C(3.9232105289359844), SHI_C(0.8008219957839717),
+    SHI_C(1860.9958320181306), SHI_C(2536.1098254794856), SHI_C(2268.3655872709032),
+    SHI_C(1880.8293850829407), SHI_C(1442.5302883539441), SHI_C(1020.0229489620598),
+    SHI_C(661.8782894664664), SHI_C(391.5724767185117), SHI_C(209.30429285302665), SHI_C(99.78190650193226),
+    SHI_C(41.611931535496446), SHI_C(14.712039483509942), SHI_C(4.161193153549645),
+    SHI_C(0.8160771188376283), SHI_C(3719.6171874538936), SHI_C(5081.964558407622),
+    SHI_C(4580.8209488573475), SHI_C(3848.6594059099402), SHI_C(3008.635455278777),
+    SHI_C(2182.693568043675), SHI_C(1464.195357659166), SHI_C(903.7209947430105), SHI_C(509.76739144504444),
+    SHI_C(260.3656926812673), SHI_C(118.84013590165654), SHI_C(47.53605436066261),
+    SHI_C(16.147194793928204), SHI_C(4.394709780272119), SHI_C(0.830522083064524), SHI_C(7435.100318253493),
+    SHI_C(10180.930404053195), SHI_C(9239.043795985812), SHI_C(7851.6774337783345),
+    SHI_C(6239.880490966099), SHI_C(4627.619225676053), SHI_C(3193.3606493895777),
+    SHI_C(2042.4803340950257), SHI_C(1204.5891834675137), SHI_C(650.5525121799841),
+    SHI_C(318.7043411453399), SHI_C(139.76109909474178), SHI_C(53.794072123058086),
+    SHI_C(17.60824338884482), SHI_C(4.624151256630012), SHI_C(0.8442506508573726), SHI_C(14862.9380228203),
+    SHI_C(20391.782735795834), SHI_C(18615.06565356631), SHI_C(15979.08068301569),
+    SHI_C(12882.746704733094), SHI_C(9738.441138331606), SHI_C(6886.117767100319), SHI_C(4540.571593129748),
+    SHI_C(2780.5208859359977), SHI_C(1572.9001389409368), SHI_C(816.1378072162844),
+    SHI_C(384.7310519102359), SHI_C(162.57854272405683), SHI_C(60.38015494295202), SHI_C(19.09388150936025),
+    SHI_C(4.849850753230681), SHI_C(0.8573405888380251), SHI_C(29713.016051075683),
+    SHI_C(40836.63454475266), SHI_C(37474.26593155346), SHI_C(32453.666284899024),
+    SHI_C(26498.307560189467), SHI_C(20369.411052992633), SHI_C(14713.133558815287),
+    SHI_C(9960.838507029463), SHI_C(6299.787417464844), SHI_C(3706.4698815161005),
+    SHI_C(2017.5466570463266), SHI_C(1008.7733285231633), SHI_C(458.8494520607931),
+    SHI_C(187.32450438409904), SHI_C(67.28894837384405), SHI_C(20.602948605549727), SHI_C(5.07209532485536),
+    SHI_C(0.8698571719206281), SHI_C(59403.100967937695), SHI_C(81768.03601647902),
+    SHI_C(75386.40432394543), SHI_C(65802.64841619547), SHI_C(54334.74866668553), SHI_C(42391.40026478217),
+    SHI_C(31199.22582727859), SHI_C(21615.45771586466), SHI_C(14059.6369016055), SHI_C(8556.422534823749),
+    SHI_C(4851.035601328402), SHI_C(2547.8887219438066), SHI_C(1230.7471792351603),
+    SHI_C(541.4565694665139), SHI_C(214.02950169692065), SHI_C(74.515507921532), SHI_C(22.134404124649148),
+    SHI_C(5.291134612069973), SHI_C(0.8818557686783288), SHI_C(118765.05692964203),
+    SHI_C(163706.33347629564), SHI_C(151562.61399242262), SHI_C(133230.97533021256),
+    SHI_C(111122.31502092743), SHI_C(87849.90358421799), SHI_C(65740.84813465356),
+    SHI_C(46485.799516968524), SHI_C(30990.53301131235), SHI_C(19424.34453718327),
+    SHI_C(11406.367863053993), SHI_C(6247.524977796668), SHI_C(3173.745862468157),
+    SHI_C(1484.3837062559016), SHI_C(632.9433390407085), SHI_C(242.7226904841872), SHI_C(82.05524583274546),
+    SHI_C(23.687309134978253), SHI_C(5.507187510272245), SHI_C(0.8933837843499495),
+    SHI_C(237455.8740969271), SHI_C(327720.24115564727), SHI_C(304557.09815456136),
+    SHI_C(269426.96587660525), SHI_C(226756.5810332238), SHI_C(181405.26482657902),
+    SHI_C(137787.18981458593), SHI_C(99218.11652784846), SHI_C(67605.75060476371),
+    SHI_C(43488.583590291004), SHI_C(26333.645101268587), SHI_C(14956.505374127739),
+    SHI_C(7931.884779674074), SHI_C(3905.3900952254317), SHI_C(1772.0418811542065), SHI_C(733.695043138053),
+    SHI_C(273.4319985352212), SHI_C(89.90388731214061), SHI_C(25.260811578777112), SHI_C(5.720447362900643),
+    SHI_C(0.904482145093491), SHI_C(474777.11693723145), SHI_C(655998.8585156241), SHI_C(611722.0897659768),
+    SHI_C(544283.7184106214), SHI_C(461840.04981309565), SHI_C(373447.34658177436),
+    SHI_C(287479.9014361852), SHI_C(210413.7425871077), SHI_C(146197.22189128873), SHI_C(96238.79327892317),
+    SHI_C(59876.987873634265), SHI_C(35105.995946656316), SHI_C(19325.214737970746),
+    SHI_C(9942.74095541143), SHI_C(4753.539378043409), SHI_C(2096.113840275918), SHI_C(844.0916977914627),
+    SHI_C(306.18423983137177), SHI_C(98.05743409682317), SHI_C(26.854134292953134), SHI_C(5.93108606277937),
+    SHI_C(0.9151864484003309), SHI_C(949308.9660842745), SHI_C(1313015.9536742573),
+    SHI_C(1228213.9605043288), SHI_C(1098547.9626407686), SHI_C(939094.180953554), SHI_C(766767.1879177),
+    SHI_C(597460.1794244981), SHI_C(443782.28026221704), SHI_C(313801.45974384266),
+    SHI_C(210881.3292583732), SHI_C(134411.00161760376), SHI_C(81052.88364753535), SHI_C(46102.59321001302),
+    SHI_C(24642.87263338277), SHI_C(12321.436316691384), SHI_C(5729.351510990861), SHI_C(2459.023560788289),
+    SHI_C(964.5083939110692), SHI_C(341.00521292293143), SHI_C(106.5121338515986), SHI_C(28.46656517192062),
+    SHI_C(6.1392573321292305), SHI_C(0.9255278664595892), SHI_C(1898169.2454242075),
+    SHI_C(2627896.3249829863), SHI_C(2465185.267576454), SHI_C(2215503.9926095987),
+    SHI_C(1906802.2370740036), SHI_C(1570736.8681938748), SHI_C(1237487.1307427394),
+    SHI_C(931546.4701025613), SHI_C(669242.7404589863), SHI_C(458199.18174495257),
+    SHI_C(298442.97268182435), SHI_C(184541.2996388242), SHI_C(108056.32066772738),
+    SHI_C(59730.37864686287), SHI_C(31052.34522760704), SHI_C(15112.066716796398), SHI_C(6844.418432755793),
+    SHI_C(2863.225653779889), SHI_C(1095.3156006573656), SHI_C(377.91978631201584),
+    SHI_C(115.26445422597175), SHI_C(30.09744901000499), SHI_C(6.345099375493046),
+    SHI_C(0.9355338639199108), SHI_C(3795514.543255239), SHI_C(5259219.223827723), SHI_C(4946505.749665884),
+    SHI_C(4465066.964337582), SHI_C(3866861.420715012), SHI_C(3211253.622111928), SHI_C(2555587.647261145),
+    SHI_C(1947359.7345737007), SHI_C(1419370.1167822452), SHI_C(988322.4914520733),
+    SHI_C(656454.8326080223), SHI_C(415178.4904131844), SHI_C(249491.22260907842),
+    SHI_C(142083.95328568405), SHI_C(76445.08651625842), SHI_C(38709.47426756585),
+    SHI_C(18361.515856977934), SHI_C(8110.7608685342675), SHI_C(3311.204258940312),
+    SHI_C(1236.8794367611108), SHI_C(416.9519730739766), SHI_C(124.31106068614315),
+    SHI_C(31.746180676387944), SHI_C(6.548737047439375), SHI_C(0.9452287742977996),
+    SHI_C(7589510.728842222), SHI_C(10524757.726355655), SHI_C(9922836.744868793), SHI_C(8993334.532749241),
+    SHI_C(7833089.522141664), SHI_C(6553632.887438834), SHI_C(5264004.609721966), SHI_C(4056187.9659829163),
+    SHI_C(2995693.3465515845), SHI_C(2118275.0797020476), SHI_C(1432215.3570364586),
+    SHI_C(924491.0376641189), SHI_C(568677.2585403997), SHI_C(332617.99318964756),
+    SHI_C(184503.26609033943), SHI_C(96754.32899591993), SHI_C(47783.557176620845),
+    SHI_C(22119.488836373264), SHI_C(9540.823292274505), SHI_C(3805.4720280050014),
+    SHI_C(1389.5619144621803), SHI_C(458.1249964854143), SHI_C(133.64879743463587),
+    SHI_C(33.41219935865897), SHI_C(6.750283640247019), SHI_C(0.9546342673902561),
+    SHI_C(15176214.426415378), SHI_C(21061206.38138421), SHI_C(19900969.427196138),
+    SHI_C(18104263.185697153), SHI_C(15852002.971686527), SHI_C(13354100.446408605),
+    SHI_C(10818057.781708352), SHI_C(8421846.5609383), SHI_C(6295709.300841275), SHI_C(4514887.123450874),
+    SHI_C(3102559.416288173), SHI_C(2040230.5043699043), SHI_C(1281837.7808569074),
+    SHI_C(768006.2992204648), SHI_C(437830.95434625464), SHI_C(236867.32599088838),
+    SHI_C(121220.71873660594), SHI_C(58457.8215090666), SHI_C(26438.544546428373),
+    SHI_C(11147.469171538263), SHI_C(4348.569186257585), SHI_C(1553.7211598871731),
+    SHI_C(501.46134807442445), SHI_C(143.274670878407), SHI_C(35.09498367172936), SHI_C(6.949842370673866),
+    SHI_C(0.9637697316868012), SHI_C(30347223.943446208), SHI_C(42144104.848712), SHI_C(39904742.13932733),
+    SHI_C(36427879.03522757), SHI_C(32052260.201177765), SHI_C(27173625.673672587),
+    SHI_C(22187172.453963544), SHI_C(17437015.269704014), SHI_C(13181144.574535051),
+    SHI_C(9575879.526766285), SHI_C(6679040.303291174), SHI_C(4467316.542166631), SHI_C(2861372.6014402728),
+    SHI_C(1752225.7093771917), SHI_C(1023910.8325367919), SHI_C(569651.3994336156),
+    SHI_C(300930.0545525921), SHI_C(150465.02727629605), SHI_C(70929.89407899186),
+    SHI_C(31374.126998598644), SHI_C(12943.976467670509), SHI_C(4943.062663068935),
+    SHI_C(1729.7116130174081), SHI_C(546.9828392378763), SHI_C(153.18583521797856),
+    SHI_C(36.794047473817805), SHI_C(7.1475076260442485), SHI_C(0.9726525898033295),
+    SHI_C(60684770.06686966), SHI_C(84328567.95192592), SHI_C(80001103.96450995), SHI_C(73265886.20511542),
+    SHI_C(64758506.206598796), SHI_C(55226239.65346443), SHI_C(45422384.855935164),
+    SHI_C(36012000.78228492), SHI_C(27504619.91860493), SHI_C(20221798.73929094), SHI_C(14298971.016342202),
+    SHI_C(9714237.89622209), SHI_C(6332908.305776177), SHI_C(3956136.4552346575), SHI_C(2364243.7368636085),
+    SHI_C(1349031.3343214104), SHI_C(733275.8384740645), SHI_C(378662.01474484423),
+    SHI_C(185169.37813308343), SHI_C(85412.26504953545), SHI_C(36984.595663833716),
+    SHI_C(14944.033367622515), SHI_C(5591.5452838161045), SHI_C(1917.8842098694597),
+    SHI_C(594.7106473599805), SHI_C(163.37957981531372), SHI_C(38.50893626493904), SHI_C(7.343366016052452),
+    SHI_C(0.9812985606338352), SHI_C(121351499.32499845), SHI_C(168732412.46903887),
+    SHI_C(160360235.24606898), SHI_C(147300281.76957878), SHI_C(130747466.31119809),
+    SHI_C(112115027.41669156), SHI_C(92840062.92597917), SHI_C(74207550.06779122), SHI_C(57221412.24520064),
+    SHI_C(42537936.75434694), SHI_C(30462049.22073652), SHI_C(20994518.577360205),
+    SHI_C(13910740.354227623), SHI_C(8850138.353030106), SHI_C(5398533.784331375),
+    SHI_C(3152064.6383417146), SHI_C(1758137.6559680668), SHI_C(934642.7383640691),
+    SHI_C(472266.7065745036), SHI_C(226080.4734826191), SHI_C(102132.74724205372),
+    SHI_C(43331.254893640704), SHI_C(17161.734226813736), SHI_C(6296.635016637138),
+    SHI_C(2118.5865490866017), SHI_C(644.6653572009765), SHI_C(173.85331806388606),
+    SHI_C(40.23922406892403), SHI_C(7.537497266402169), SHI_C(0.9897218787411788),
+    SHI_C(242669287.55897382), SHI_C(337605562.34251577), SHI_C(321390920.2597741),
+    SHI_C(296043581.02143764), SHI_C(263814141.92615327), SHI_C(227379194.83202162),
+    SHI_C(189482662.36001804), SHI_C(152606923.4412007), SHI_C(118726142.3004013), SHI_C(89171360.6780432),
+    SHI_C(64610789.12779333), SHI_C(45126132.56043054), SHI_C(30351507.751584772), SHI_C(19637323.51055426),
+    SHI_C(12206198.191891953), SHI_C(7278370.374374782), SHI_C(4156242.370633462), SHI_C(2268380.75628749),
+    SHI_C(1180502.7735517349), SHI_C(584197.3663621662), SHI_C(274012.85340324463),
+    SHI_C(121334.93090161472), SHI_C(50478.38248507522), SHI_C(19611.575704966443),
+    SHI_C(7060.974268393492), SHI_C(2332.1630447972543), SHI_C(696.8669981935219),
+    SHI_C(184.60457753562144), SHI_C(41.98451071963938), SHI_C(7.7299749826760165),
+    SHI_C(0.9979354791501392), SHI_C(485275441.6444945), SHI_C(675474827.5362041), SHI_C(644039978.0328891),
+    SHI_C(594801927.1358453), SHI_C(532007016.8894507), SHI_C(460731591.61784124), SHI_C(386219150.3426744),
+    SHI_C(313265097.18252134), SHI_C(245745360.53249484), SHI_C(186345645.987145),
+    SHI_C(136501889.12514427), SHI_C(96521411.44516376), SHI_C(65827056.243302256),
+    SHI_C(43256850.57135687), SHI_C(27358034.442208726), SHI_C(16631462.34334867), SHI_C(9703792.453240428),
+    SHI_C(5424584.891248763), SHI_C(2899562.5897890357), SHI_C(1478492.6226217924),
+    SHI_C(717174.2646783672), SHI_C(329852.1867409973), SHI_C(143278.63413498976), SHI_C(58493.25744560686),
+    SHI_C(22308.453078998937), SHI_C(7887.229224971031), SHI_C(2558.955067317767), SHI_C(751.3350781793009),
+    SHI_C(195.63099121971072), SHI_C(43.74441948729376), SHI_C(7.920867306958054),
+    SHI_C(1.0059511539353299), SHI_C(970432400.6073183), SHI_C(1351444780.4894617),
+    SHI_C(1290445577.8127282), SHI_C(1194720453.6016278), SHI_C(1072294423.5165429),
+    SHI_C(932807869.0348123), SHI_C(786289153.5627842), SHI_C(642002405.504569), SHI_C(507547466.1753649),
+    SHI_C(388320534.24925804), SHI_C(287362192.9912655), SHI_C(205544917.23994067),
+    SHI_C(142000558.02280363), SHI_C(94667038.68186909), SHI_C(60841046.64992703),
+    SHI_C(37651648.895614274), SHI_C(22407212.98372115), SHI_C(12804121.704983514),
+    SHI_C(7013106.286860978), SHI_C(3674424.690386253), SHI_C(1837212.3451931265), SHI_C(874202.4981938156),
+    SHI_C(394558.59270862537), SHI_C(168240.34921948094), SHI_C(67446.18700826768),
+    SHI_C(25267.656718891634), SHI_C(8778.089231684653), SHI_C(2799.301073048045), SHI_C(808.0886140335485),
+    SHI_C(206.93028970030755), SHI_C(45.518594992624436), SHI_C(8.11023748522498),
+    SHI_C(1.0137796856531225), SHI_C(1940642007.8027549), SHI_C(2703821003.046999),
+    SHI_C(2585347373.888792), SHI_C(2399100828.9790335), SHI_C(2160271151.8260384),
+    SHI_C(1887189305.4357607), SHI_C(1599050497.810971), SHI_C(1313754042.361401),
+    SHI_C(1046185775.8280673), SHI_C(807149849.4648045), SHI_C(603011456.3257688), SHI_C(435976562.6150224),
+    SHI_C(304837384.31029576), SHI_C(205967623.47599167), SHI_C(134358462.93349057),
+    SHI_C(84532012.51044297), SHI_C(51234136.52012597), SHI_C(29874378.54227913), SHI_C(16732998.918186879),
+    SHI_C(8987062.059449522), SHI_C(4618955.984393581), SHI_C(2266306.372569891), SHI_C(1058590.2709153148),
+    SHI_C(469169.9923885751), SHI_C(196513.68496513972), SHI_C(77410.53294267537), SHI_C(28504.86871400358),
+    SHI_C(9736.26621008456), SHI_C(3053.5367247193763), SHI_C(867.1461595561958), SHI_C(218.5002941457552),
+    SHI_C(47.30670136614906), SHI_C(8.298144360028767), SHI_C(1.0214309616376818)
+};
+/* [k]: sqrt(k) */
+static const SHI_T SHI_FN(shi_root)[72] = {
+    SHI_C(0.0), SHI_C(1.0), SHI_C(1.4142135623730951), SHI_C(1.7320508075688772), SHI_C(2.0),
+    SHI_C(2.23606797749979), SHI_C(2.449489742783178), SHI_C(2.6457513110645907), SHI_C(2.8284271247461903),
+    SHI_C(3.0), SHI_C(3.1622776601683795), SHI_C(3.3166247903554), SHI_C(3.4641016151377544),
+    SHI_C(3.605551275463989), SHI_C(3.7416573867739413), SHI_C(3.872983346207417), SHI_C(4.0),
+    SHI_C(4.123105625617661), SHI_C(4.242640687119285), SHI_C(4.358898943540674), SHI_C(4.47213595499958),
+    SHI_C(4.58257569495584), SHI_C(4.69041575982343), SHI_C(4.795831523312719), SHI_C(4.898979485566356),
+    SHI_C(5.0), SHI_C(5.0990195135927845), SHI_C(5.196152422706632), SHI_C(5.291502622129181),
+    SHI_C(5.385164807134504), SHI_C(5.477225575051661), SHI_C(5.5677643628300215), SHI_C(5.656854249492381),
+    SHI_C(5.744562646538029), SHI_C(5.830951894845301), SHI_C(5.916079783099616), SHI_C(6.0),
+    SHI_C(6.082762530298219), SHI_C(6.164414002968976), SHI_C(6.244997998398398), SHI_C(6.324555320336759),
+    SHI_C(6.4031242374328485), SHI_C(6.48074069840786), SHI_C(6.557438524302), SHI_C(6.6332495807108),
+    SHI_C(6.708203932499369), SHI_C(6.782329983125268), SHI_C(6.855654600401044), SHI_C(6.928203230275509),
+    SHI_C(7.0), SHI_C(7.0710678118654755), SHI_C(7.14142842854285), SHI_C(7.211102550927978),
+    SHI_C(7.280109889280518), SHI_C(7.3484692283495345), SHI_C(7.416198487095663), SHI_C(7.483314773547883),
+    SHI_C(7.54983443527075), SHI_C(7.615773105863909), SHI_C(7.681145747868608), SHI_C(7.745966692414834),
+    SHI_C(7.810249675906654), SHI_C(7.874007874011811), SHI_C(7.937253933193772), SHI_C(8.0),
+    SHI_C(8.06225774829855), SHI_C(8.12403840463596), SHI_C(8.18535277187245), SHI_C(8.246211251235321),
+    SHI_C(8.306623862918075), SHI_C(8.366600265340756), SHI_C(8.426149773176359)
+};
+/* [l]: 1/sqrt(4 l^2 - 1), l >= 1 */
+static const SHI_T SHI_FN(shi_inverse_root)[36] = {
+    SHI_C(0.0), SHI_C(0.5773502691896257), SHI_C(0.25819888974716115), SHI_C(0.1690308509457033),
+    SHI_C(0.12598815766974242), SHI_C(0.10050378152592121), SHI_C(0.08362420100070908),
+    SHI_C(0.07161148740394328), SHI_C(0.06262242910851495), SHI_C(0.055641488407465724),
+    SHI_C(0.05006261743217589), SHI_C(0.045501575519329006), SHI_C(0.04170288281141495),
+    SHI_C(0.03849001794597505), SHI_C(0.03573708449459316), SHI_C(0.033351867298253506),
+    SHI_C(0.03126526997403612), SHI_C(0.029424494316824985), SHI_C(0.027788500718836418),
+    SHI_C(0.02632490632463282), SHI_C(0.025007816164017767), SHI_C(0.023816275411477045),
+    SHI_C(0.022733144649015782), SHI_C(0.021744269101781406), SHI_C(0.02083785592827065),
+    SHI_C(0.02000400120040014), SHI_C(0.019234326202820506), SHI_C(0.018521694664415903),
+    SHI_C(0.017859990659227328), SHI_C(0.01724394251251618), SHI_C(0.016668981963846228),
+    SHI_C(0.016131130616527576), SHI_C(0.015626907697949846), SHI_C(0.01515325460564539),
+    SHI_C(0.014707472779848216), SHI_C(0.014287172234821078)
+};
+/* [l]: 1/l, l >= 1 */
+static const SHI_T SHI_FN(shi_reciprocal)[36] = {
+    SHI_C(0.0), SHI_C(1.0), SHI_C(0.5), SHI_C(0.3333333333333333), SHI_C(0.25), SHI_C(0.2),
+    SHI_C(0.16666666666666666), SHI_C(0.14285714285714285), SHI_C(0.125), SHI_C(0.1111111111111111),
+    SHI_C(0.1), SHI_C(0.09090909090909091), SHI_C(0.08333333333333333), SHI_C(0.07692307692307693),
+    SHI_C(0.07142857142857142), SHI_C(0.06666666666666667), SHI_C(0.0625), SHI_C(0.058823529411764705),
+    SHI_C(0.05555555555555555), SHI_C(0.05263157894736842), SHI_C(0.05), SHI_C(0.047619047619047616),
+    SHI_C(0.045454545454545456), SHI_C(0.043478260869565216), SHI_C(0.041666666666666664), SHI_C(0.04),
+    SHI_C(0.038461538461538464), SHI_C(0.037037037037037035), SHI_C(0.03571428571428571),
+    SHI_C(0.034482758620689655), SHI_C(0.03333333333333333), SHI_C(0.03225806451612903), SHI_C(0.03125),
+    SHI_C(0.030303030303030304), SHI_C(0.029411764705882353), SHI_C(0.02857142857142857)
+};
+/* [l]: Y_l0(+z) = sqrt((2l+1)/(4 pi)) */
+static const SHI_T SHI_FN(shi_zonal)[34] = {
+    SHI_C(0.28209479177387814), SHI_C(0.4886025119029199), SHI_C(0.63078313050504),
+    SHI_C(0.7463526651802308), SHI_C(0.8462843753216345), SHI_C(0.9356025796273888),
+    SHI_C(1.0171072362820548), SHI_C(1.0925484305920792), SHI_C(1.1631066229203195),
+    SHI_C(1.2296226898414837), SHI_C(1.2927207364566027), SHI_C(1.3528790949515024),
+    SHI_C(1.4104739588693906), SHI_C(1.4658075357087597), SHI_C(1.5191269449366245),
+    SHI_C(1.5706373285785544), SHI_C(1.6205112036071436), SHI_C(1.6688952945311364),
+    SHI_C(1.7159156293944244), SHI_C(1.761681409986482), SHI_C(1.8062879984608917),
+    SHI_C(1.8498192550829797), SHI_C(1.89234939151512), SHI_C(1.9339444569737623), SHI_C(1.974663542417147),
+    SHI_C(2.014559765517849), SHI_C(2.0536810833075387), SHI_C(2.0920709679710012),
+    SHI_C(2.129768972944957), SHI_C(2.1668112103298047), SHI_C(2.203230756026887),
+    SHI_C(2.2390579955406924), SHI_C(2.274320920733615), SHI_C(2.309045385777095)
+};
+/* m, then d = l-m, then k <= d/2 for 10 bands: norm q_l^m = z^(d&1) sum_k c_k (z^2 - 1/2)^k */
+static const SHI_T SHI_FN(shi_horner)[125] = {
+    SHI_C(0.28209479177387814), SHI_C(0.4886025119029199), SHI_C(0.15769578262626), SHI_C(0.94617469575756),
+    SHI_C(-0.1865881662950577), SHI_C(1.865881662950577), SHI_C(-0.343803027474414),
+    SHI_C(0.5289277345760215), SHI_C(3.7024941420321507), SHI_C(-0.4970388704270503),
+    SHI_C(-0.8186522571739652), SHI_C(7.367870314565686), SHI_C(-0.1509768553856175),
+    SHI_C(-2.3361681833353445), SHI_C(2.0024298714302953), SHI_C(14.684485723822167),
+    SHI_C(0.1963172961220142), SHI_C(-3.840990576300278), SHI_C(-3.3800717071442445),
+    SHI_C(29.29395479525012), SHI_C(0.3470010481466383), SHI_C(-1.104042614725147),
+    SHI_C(-13.044059040641551), SHI_C(7.796449081762767), SHI_C(58.47336811322075),
+    SHI_C(0.49653220922798197), SHI_C(1.6378958485779138), SHI_C(-22.666365130320163),
+    SHI_C(-13.737190988072825), SHI_C(116.76612339861902), SHI_C(0.4886025119029199),
+    SHI_C(1.0925484305920792), SHI_C(0.6855686991966986), SHI_C(2.2852289973223288),
+    SHI_C(0.3345232717786446), SHI_C(4.683325804901024), SHI_C(-0.3397099883967727),
+    SHI_C(3.1706265583698783), SHI_C(9.511879675109636), SHI_C(-1.0195873844077799),
+    SHI_C(1.7478640875561942), SHI_C(19.226504963118135), SHI_C(-0.6887785078166945),
+    SHI_C(-3.455183990031287), SHI_C(13.414243726003821), SHI_C(38.75225965289993),
+    SHI_C(-0.3680142049083823), SHI_C(-8.6960393604277), SHI_C(7.796449081762767), SHI_C(77.96449081762766),
+    SHI_C(0.31818174868912225), SHI_C(-6.025315139733252), SHI_C(-23.037969651921255),
+    SHI_C(55.29112716461101), SHI_C(156.65819363306454), SHI_C(0.5462742152960396),
+    SHI_C(1.4453057213202771), SHI_C(1.18271836969695), SHI_C(3.3116114351514603), SHI_C(1.198384196243331),
+    SHI_C(7.190305177459986), SHI_C(0.11515065743936544), SHI_C(6.909039446361926),
+    SHI_C(15.199886781996238), SHI_C(-0.9403819714455881), SHI_C(7.301789425342213),
+    SHI_C(31.64108750981626), SHI_C(-1.08336161378291), SHI_C(-1.254418710696001),
+    SHI_C(32.614886478096025), SHI_C(65.22977295619205), SHI_C(-1.2846015040594343),
+    SHI_C(-9.82342326633685), SHI_C(35.36432375881266), SHI_C(133.59855642218116),
+    SHI_C(0.5900435899266435), SHI_C(1.7701307697799304), SHI_C(1.7123340480233764),
+    SHI_C(4.403144694917254), SHI_C(2.3030131487873087), SHI_C(10.133257854664159),
+    SHI_C(0.8996388697081907), SHI_C(12.04733790739664), SHI_C(22.373627542308046),
+    SHI_C(-0.30881653882388604), SHI_C(16.058460018842073), SHI_C(48.17538005652622),
+    SHI_C(-1.2119848650425105), SHI_C(4.501658070157895), SHI_C(63.023212982210545),
+    SHI_C(102.03758292357897), SHI_C(0.6258357354491761), SHI_C(2.075662314881041),
+    SHI_C(2.2705420532792586), SHI_C(5.550213908015966), SHI_C(3.6324090510418223),
+    SHI_C(13.491805046726768), SHI_C(2.0332702302271555), SHI_C(18.658244465613897),
+    SHI_C(31.097074109356495), SHI_C(1.0194248096822933), SHI_C(28.543894671104216),
+    SHI_C(69.32088705839595), SHI_C(0.6563820568401701), SHI_C(2.366619162231752), SHI_C(2.854035682961432),
+    SHI_C(6.745902523363384), SHI_C(5.174865933147162), SHI_C(17.24955311049054), SHI_C(3.5334925230328844),
+    SHI_C(26.80580534714602), SHI_C(41.427153718316575), SHI_C(0.6831841051919143), SHI_C(2.6459606618019),
+    SHI_C(3.4601629793870265), SHI_C(7.9849914908931385), SHI_C(6.921229179411617),
+    SHI_C(21.392890190908638), SHI_C(0.7071627325245962), SHI_C(2.9157066406993195),
+    SHI_C(4.086791110080399), SHI_C(9.263393182848905), SHI_C(0.7289266601748299),
+    SHI_C(3.1773176489546975), SHI_C(0.7489009518531883)
+};
+/* END tools/gen_gradient.py */
+
+#endif /* rooms */
