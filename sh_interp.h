@@ -1,0 +1,657 @@
+/* sh_interp.h - lighting anywhere from coefficients and gradients at grid nodes or scattered samples
+ *
+ * USE
+ *     #include "sh_interp.h"        needs sh_gradient.h beside it, nothing else
+ *
+ *     sh_grid_f32 grid = { { 0, 0, 0 }, { .5f, .5f, .5f }, { 8, 8, 8 } };        origin, cell, nodes per axis
+ *     sh_spheres_grid_f32(5, SH_GRADIENT, 3, &grid, 0, 512, lights, spheres, radiance, nodes);
+ *     sh_grid_interp_f32(5, SH_GRADIENT, 3, &grid, nodes, SH_EDGE_HERMITE, SH_CLAMP, point, coeffs);
+ *
+ * DATA
+ *     A node's block is [channels][planes][n*n]: per channel the value (planes SH_VALUES = 1), then d/dx, d/dy,
+ *     d/dz (SH_GRADIENT = 4), then xx, xy, xz, yy, yz, zz (SH_HESSIAN = 10). Node (i, j, k) of a grid stands at
+ *     origin + (i, j, k) * cell and is number i + count[0] * (j + count[1] * k): x fastest.
+ *     Any field will do, whatever made it: sphere lights, polygons, cube maps, the sum of them.
+ *
+ * SCHEMES      planes  order  smooth  reproduces x^a y^b z^c with                        reads
+ *     SH_TRILINEAR     1   h^2   C0   a, b, c <= 1                                         8
+ *     SH_HALF_TAYLOR   4   h^3   C0   at most one of a, b, c = 2, the others <= 1         32
+ *     SH_BLENDED_TAYLOR 4  h^2   C0   a, b, c <= 1                                        32
+ *     SH_HERMITE_ZERO  4   h^2   C1   at most one of a, b, c > 0, and that <= 3           32
+ *     SH_HERMITE_MIXED 4   h^4   C1   at most one = 3, the others <= 2 (inner cells)     160
+ *     SH_EDGE_HERMITE  4   h^4   C0   at most one of a, b, c > 1, and that <= 3           32
+ *     SH_BLENDED_TAYLOR2 10 h^4  C0   a + b + c <= 3, and x^a y^b z^c with a, b, c <= 1   80
+ *     Reads: planes of n*n numbers fetched per query and channel; the cost is theirs.
+ *     SH_EDGE_HERMITE is the one to use: the best that values and gradients of one cell can give.
+ *     Within about a cell of a light no scheme is good: evaluate such a light at the point itself.
+ *
+ * HOW
+ *     Every scheme is linear in the data, so a query is a list of (number of the data, weight), and one kernel adds
+ *     up n*n coefficients of such a list. Weights are products of weights along the axes: with L, H the linear and
+ *     the smoothstep weights of a cell's two ends, P the cubic from values and slopes,
+ *         f = Qx Qy Qz f + (Px - Qx) Qy Qz f + Qx (Py - Qy) Qz f + Qx Qy (Pz - Qz) f
+ *     is edge Hermite with Q = L; the papers' tensor Hermite with zero mixed derivatives with Q = H; and with
+ *     Q = the cubic whose slopes are grid differences, the tensor Hermite whose mixed derivatives are
+ *     f_xy = Dx f_y + Dy f_x - Dx Dy f, whose error is the product of the two differences' errors. The Taylor
+ *     schemes have Q = L and P - Q = c times the weighted slope: c = 1/2, 1, and 2/3 with 1/6 of the Hessian.
+ *
+ * FUNCTIONS (each _f32 and _f64)
+ *     sh_grid_interp       sh_grid_interp_n       coefficients at a point, at many points
+ *     sh_grid_dot          sh_grid_dot_n          their dot product with a transfer vector, never stored
+ *     sh_sample_taylor                            Taylor extrapolation from one sample (A04 Eq. 14)
+ *     sh_samples_blend                            inverse-distance blend of several (A04 Eq. 15-16), exact at a sample
+ *
+ * CONFIG (define before the first include)
+ *     SH_INTERP_FILENAME   the name this file has in your tree  ["sh_interp.h"]
+ *
+ * SOURCES
+ *     A04  Annen et al. 2004, Spherical Harmonic Gradients for Mid-Range Illumination
+ *     M22  Mezieres et al. 2022, whose grids are read here with tensor Hermite (after Wu et al. 2020)
+ */
+#if !defined(SHI_ROOM)
+#ifndef SH_INTERP_H
+#define SH_INTERP_H
+
+#ifndef SH_GRADIENT_FILENAME
+#  define SH_GRADIENT_FILENAME "sh_gradient.h"
+#endif
+#include SH_GRADIENT_FILENAME
+#ifndef SH_INTERP_FILENAME
+#  define SH_INTERP_FILENAME "sh_interp.h"
+#endif
+
+enum sh_scheme {
+    SH_TRILINEAR, SH_HALF_TAYLOR, SH_BLENDED_TAYLOR, SH_HERMITE_ZERO, SH_HERMITE_MIXED, SH_EDGE_HERMITE,
+    SH_BLENDED_TAYLOR2
+};
+enum sh_outside { SH_CLAMP, SH_EXTRAPOLATE };
+
+enum {
+    SHI_TERMS = 160,            /* longest list of a query: SH_HERMITE_MIXED, 64 values and 3 * 32 slopes */
+    SHI_AXIS_NODES = 1 << 24,  /* beyond it a float has no place left inside a cell */
+    SHI_REACH = 1024            /* cells an extrapolated query may leave the grid by; clamped there */
+};
+
+/* One scheme on one grid: which numbers of the data a query takes, relative to its cell's first node. */
+typedef struct {
+    int scheme, taps[3];        /* nodes taken along an axis: 1 (axis of one node), 2, 4 (with the cell's neighbours) */
+    int lower[3], upper[3];     /* the neighbours exist (taps of 4) */
+    size_t step[3];             /* numbers from one node to the next */
+    size_t n, terms;            /* coefficients; length of the list, a multiple of 4 */
+    ptrdiff_t offset[SHI_TERMS];
+} shi_stencil;
+
+/* Planes a scheme reads; 0 for a number that is no scheme. */
+SHI_INLINE int shi_scheme_planes(int scheme)
+{
+    return scheme == SH_TRILINEAR ? 1 : scheme == SH_BLENDED_TAYLOR2 ? 10
+         : scheme > SH_TRILINEAR && scheme < SH_BLENDED_TAYLOR2 ? 4 : 0;
+}
+
+/* Slopes are taken at the two ends of the cell only. */
+SHI_INLINE int shi_is_end(int taps, int tap) { return taps < 4 || tap == 1 || tap == 2; }
+
+/* The offsets, in the order in which the kernel below writes the weights. A neighbour that does not exist has
+ * weight 0 and the offset of the cell's end. */
+SHI_INLINE void shi_stencil_offsets(shi_stencil *s)
+{
+    const int planes = shi_scheme_planes(s->scheme);
+    const ptrdiff_t n = (ptrdiff_t)s->n;
+    ptrdiff_t at[3][4];
+    size_t k = 0;
+    int a, x, y, z, p;
+
+    for (a = 0; a < 3; a++) {
+        const ptrdiff_t step = (ptrdiff_t)s->step[a];
+        const int first = s->taps[a] == 4;
+        at[a][0] = first && s->lower[a] ? -step : 0;
+        at[a][1] = first ? 0 : step;
+        at[a][2] = step;
+        at[a][3] = s->upper[a] ? 2 * step : step;
+    }
+    for (z = 0; z < s->taps[2]; z++)
+    for (y = 0; y < s->taps[1]; y++)
+    for (x = 0; x < s->taps[0]; x++) {
+        const ptrdiff_t node = at[0][x] + at[1][y] + at[2][z];
+        s->offset[k++] = node;
+        if (planes == 1) continue;
+        if (shi_is_end(s->taps[0], x)) s->offset[k++] = node + n;
+        if (shi_is_end(s->taps[1], y)) s->offset[k++] = node + 2 * n;
+        if (shi_is_end(s->taps[2], z)) s->offset[k++] = node + 3 * n;
+        for (p = 4; p < planes; p++) s->offset[k++] = node + p * n;
+    }
+    while (k % 4) s->offset[k++] = 0;
+    s->terms = k;
+}
+
+#define SHI_FILE SH_INTERP_FILENAME
+#define SHI_ROOM SHI_INSTANTIATE
+#include SH_GRADIENT_FILENAME
+
+#endif /* SH_INTERP_H */
+
+#elif SHI_ROOM == SHI_KERNELS && (SHI_LANES == 1 || defined(SHI_MANY_LANES)) /* ------------------------------- */
+
+/* Weights of the nodes along one axis, lanes are queries: q of the value, d = p - q of the value where the axis has
+ * its own cubic, s of the slope, e of the second derivative. t is the place in the cell, h the cell's size. With
+ * `rate` = 1/h in place of NULL, the derivative of all four by the coordinate: they are linear in six polynomials of t.
+ * lower, upper: 1/2 where the neighbour exists and 0 where not. */
+SHI_KERNEL void SHI_KN(shi_axis)(int scheme, int taps, SHI_T h, const SHI_T *tp, const SHI_T *rate, const SHI_T *lower,
+                                 const SHI_T *upper, SHI_V *q, SHI_V *d, SHI_V *s, SHI_V *e)
+{
+    const SHI_V t = SHI_LOAD(tp), u = SHI_C(1) - t, zero = SHI_SPLAT(SHI_C(0));
+    SHI_V l0 = u, l1 = t, b = t * u, bt = b * t, bu = b * u, skew = b * (u - t);
+    int i;
+
+    if (rate) {
+        const SHI_V r = SHI_LOAD(rate);
+        l0 = -r;
+        l1 = r;
+        bt = t * (SHI_C(2) * u - t) * r;
+        bu = u * (u - SHI_C(2) * t) * r;
+        skew = ((u - t) * (u - t) - SHI_C(2) * b) * r;
+        b = (u - t) * r;
+    }
+    for (i = 0; i < 4; i++) d[i] = s[i] = e[i] = zero;
+    q[0] = l0;
+    q[1] = l1;
+    if (scheme == SH_TRILINEAR) return;
+    if (scheme == SH_HALF_TAYLOR || scheme == SH_BLENDED_TAYLOR || scheme == SH_BLENDED_TAYLOR2) {
+        const SHI_T c = scheme == SH_HALF_TAYLOR ? SHI_C(0.5) : scheme == SH_BLENDED_TAYLOR ? SHI_C(1)
+                      : SHI_C(0.66666666666666667);     /* 2/3 */
+        s[0] = (c * h) * b;
+        s[1] = -s[0];
+        e[0] = (h * h * SHI_C(0.16666666666666667)) * bt;   /* 1/6 */
+        e[1] = (h * h * SHI_C(0.16666666666666667)) * bu;
+    } else if (taps < 4) {
+        if (scheme == SH_HERMITE_ZERO) {
+            q[0] += skew;
+            q[1] -= skew;
+        } else {
+            d[0] = skew;
+            d[1] = -skew;
+        }
+        s[0] = h * bu;
+        s[1] = -(h * bt);
+    } else {    /* slopes by differences: (1 - g) f1 - (1 - 2g) f0 - g f-1, central with g = 1/2, one-sided with 0 */
+        const SHI_V g = SHI_LOAD(lower), k = SHI_LOAD(upper);
+        d[0] = g * bu;
+        d[1] = (SHI_C(1) - SHI_C(2) * g) * bu - (SHI_C(1) - k) * bt;
+        d[2] = (SHI_C(1) - SHI_C(2) * k) * bt - (SHI_C(1) - g) * bu;
+        d[3] = k * bt;
+        q[0] = -d[0];
+        q[1] = (l0 + skew) - d[1];
+        q[2] = (l1 - skew) - d[2];
+        q[3] = -d[3];
+        s[1] = h * bu;
+        s[2] = -(h * bt);
+    }
+}
+
+/* Weights of SH_BLOCK queries, w[terms][SH_BLOCK]: of the value, or with along = 0, 1, 2 of its derivative.
+ * t, rate, half: [3][SH_BLOCK] and [3][2][SH_BLOCK] */
+SHI_INLINE void SHI_KN(shi_weights)(const shi_stencil *stencil, int along, const SHI_T *h, const SHI_T *t,
+                                    const SHI_T *rate, const SHI_T *half, SHI_T *w)
+{
+    const int scheme = stencil->scheme, *taps = stencil->taps;
+    const SHI_T c = SHI_C(0.75);        /* of s s, to 1/3 d d */
+    int lane, a, x, y, z;
+
+    for (lane = 0; lane + SHI_W <= SH_BLOCK; lane += SHI_W) {
+        SHI_V q[3][4], d[3][4], s[3][4], e[3][4];
+        SHI_T *o = w + lane;
+        for (a = 0; a < 3; a++)
+            SHI_KN(shi_axis)(scheme, taps[a], h[a], t + a * SH_BLOCK + lane, along == a ? rate + a * SH_BLOCK + lane : NULL,
+                             half + 2 * a * SH_BLOCK + lane, half + (2 * a + 1) * SH_BLOCK + lane, q[a], d[a], s[a], e[a]);
+        for (z = 0; z < taps[2]; z++)
+        for (y = 0; y < taps[1]; y++) {
+            const SHI_V qq = q[1][y] * q[2][z], sq = s[1][y] * q[2][z], qs = q[1][y] * s[2][z];
+            const SHI_V yz = qq + (d[1][y] * q[2][z] + q[1][y] * d[2][z]);
+            for (x = 0; x < taps[0]; x++, o += 0) {
+                const SHI_V qx = q[0][x], sx = s[0][x];
+                SHI_STORE(o, qx * yz + d[0][x] * qq); o += SH_BLOCK;
+                if (scheme == SH_TRILINEAR) continue;
+                if (shi_is_end(taps[0], x)) { SHI_STORE(o, sx * qq); o += SH_BLOCK; }
+                if (shi_is_end(taps[1], y)) { SHI_STORE(o, qx * sq); o += SH_BLOCK; }
+                if (shi_is_end(taps[2], z)) { SHI_STORE(o, qx * qs); o += SH_BLOCK; }
+                if (scheme != SH_BLENDED_TAYLOR2) continue;
+                SHI_STORE(o, e[0][x] * qq); o += SH_BLOCK;
+                SHI_STORE(o, c * sx * sq);  o += SH_BLOCK;
+                SHI_STORE(o, c * sx * qs);  o += SH_BLOCK;
+                SHI_STORE(o, qx * (e[1][y] * q[2][z])); o += SH_BLOCK;
+                SHI_STORE(o, c * qx * (s[1][y] * s[2][z])); o += SH_BLOCK;
+                SHI_STORE(o, qx * (q[1][y] * e[2][z])); o += SH_BLOCK;
+            }
+        }
+        for (; o < w + stencil->terms * SH_BLOCK; o += SH_BLOCK) SHI_STORE(o, SHI_SPLAT(SHI_C(0)));
+    }
+}
+
+/* Where the v-th of some vectors of coefficients is: side by side but the last, which may overlap the one before it (the same
+ * numbers again), so that nothing beyond the n coefficients is touched. */
+#define SHI_AT(v) ((v) + 1 < vectors ? (size_t)((v) * SHI_W) : last)
+
+/* sum[v] of the list: weights w[k * SH_BLOCK] times the numbers at from + offset[k]. */
+SHI_KERNEL void SHI_KN(shi_list)(const int vectors, size_t last, size_t terms, const ptrdiff_t *offset, const SHI_T *w,
+                                 const SHI_T *from, SHI_V *sum)
+{
+    size_t k;
+    int v;
+
+    SHI_UNROLL for (v = 0; v < vectors; v++) sum[v] = SHI_SPLAT(SHI_C(0));
+    for (k = 0; k < terms; k += 4, offset += 4, w += 4 * SH_BLOCK) {
+        const SHI_T *a = from + offset[0], *b = from + offset[1], *c = from + offset[2], *d = from + offset[3];
+        const SHI_V wa = SHI_SPLAT(w[0]), wb = SHI_SPLAT(w[SH_BLOCK]), wc = SHI_SPLAT(w[2 * SH_BLOCK]), wd = SHI_SPLAT(w[3 * SH_BLOCK]);
+        SHI_UNROLL for (v = 0; v < vectors; v++)
+            sum[v] += wa * SHI_LOAD(a + SHI_AT(v)) + wb * SHI_LOAD(b + SHI_AT(v)) + wc * SHI_LOAD(c + SHI_AT(v)) + wd * SHI_LOAD(d + SHI_AT(v));
+    }
+}
+
+SHI_KERNEL void SHI_KN(shi_list_store)(const int vectors, size_t last, size_t terms, const ptrdiff_t *offset, const SHI_T *w,
+                                       const SHI_T *from, SHI_T *out)
+{
+    SHI_V sum[8];
+    int v;
+    SHI_KN(shi_list)(vectors, last, terms, offset, w, from, sum);
+    SHI_UNROLL for (v = 0; v < vectors; v++) SHI_STORE(out + SHI_AT(v), sum[v]);
+}
+
+/* *dot += the sums times the transfer; `tail` is the transfer of the last vector, 0 where it overlaps. */
+SHI_KERNEL void SHI_KN(shi_list_dot)(const int vectors, size_t last, size_t terms, const ptrdiff_t *offset, const SHI_T *w,
+                                     const SHI_T *from, const SHI_T *transfer, const SHI_T *tail, SHI_V *dot)
+{
+    SHI_V sum[8];
+    int v;
+    SHI_KN(shi_list)(vectors, last, terms, offset, w, from, sum);
+    SHI_UNROLL for (v = 0; v < vectors; v++) *dot += sum[v] * SHI_LOAD(v + 1 < vectors ? transfer + v * SHI_W : tail);
+}
+
+/* n coefficients of the list, up to 8 vectors at a time. Returns 0, with nothing done, if a vector holds more than n. */
+#define SHI_CASES(name, args) switch (now) { \
+    case 1: SHI_KN(name) args(1); break; case 2: SHI_KN(name) args(2); break; case 3: SHI_KN(name) args(3); break; \
+    case 4: SHI_KN(name) args(4); break; case 5: SHI_KN(name) args(5); break; case 6: SHI_KN(name) args(6); break; \
+    case 7: SHI_KN(name) args(7); break; default: SHI_KN(name) args(8); break; }
+
+SHI_INLINE int SHI_KN(shi_gather)(size_t n, size_t terms, const ptrdiff_t *offset, const SHI_T *w, const SHI_T *from, SHI_T *out)
+{
+    const size_t lanes = (size_t)SHI_W, all = (n + lanes - 1) / lanes, passes = (all + 7) / 8, step = (all + passes - 1) / passes;
+    size_t left, now;
+
+    if (n < lanes) return 0;
+    for (left = all; left; left -= now, n -= now * lanes, from += now * lanes, out += now * lanes) {
+        const size_t last = (now = left < step ? left : step) == left ? n - lanes : (now - 1) * lanes;
+#define SHI_ARGS(c) (c, last, terms, offset, w, from, out)
+        SHI_CASES(shi_list_store, SHI_ARGS)
+#undef SHI_ARGS
+    }
+    return 1;
+}
+
+/* The same, for the dot product with transfer[n]. */
+SHI_INLINE int SHI_KN(shi_gather_dot)(size_t n, size_t terms, const ptrdiff_t *offset, const SHI_T *w, const SHI_T *from,
+                                      const SHI_T *transfer, SHI_T *value)
+{
+    const size_t lanes = (size_t)SHI_W, all = (n + lanes - 1) / lanes, passes = (all + 7) / 8, step = (all + passes - 1) / passes;
+    const size_t rest = n - (all - 1) * lanes;      /* what the last vector does not share with the one before */
+    SHI_T end[SHI_W];
+    SHI_V dot = SHI_SPLAT(SHI_C(0));
+    size_t left, now;
+
+    if (n < lanes) return 0;
+    memset(end, 0, sizeof end);
+    memcpy(end + lanes - rest, transfer + n - rest, rest * sizeof *end);
+    for (left = all; left; left -= now, n -= now * lanes, from += now * lanes, transfer += now * lanes) {
+        const size_t last = (now = left < step ? left : step) == left ? n - lanes : (now - 1) * lanes;
+        const SHI_T *const tail = now == left ? end : transfer + last;
+#define SHI_ARGS(c) (c, last, terms, offset, w, from, transfer, tail, &dot)
+        SHI_CASES(shi_list_dot, SHI_ARGS)
+#undef SHI_ARGS
+    }
+    *value = SHI_SUM(dot);
+    return 1;
+}
+#undef SHI_CASES
+#undef SHI_AT
+
+#elif SHI_ROOM == SHI_PUBLIC /* ----------------------------------------------------------------------------- */
+
+/* Checks what a grid call is given, O(1), and prepares its stencil. */
+SHI_INLINE int SHI_FN(shi_grid_stencil)(int bands, int planes, int channels, const SHI_FN(sh_grid) *grid, const SHI_T *nodes,
+                                        int scheme, int outside, shi_stencil *s)
+{
+    double numbers;
+    int a;
+
+    if (!grid || !nodes) return SH_ERROR_NULL;
+    if (bands < 1 || bands > SH_MAX_BANDS) return SH_ERROR_BANDS;
+    if (channels < 1) return SH_ERROR_COUNT;
+    if (planes != SH_VALUES && planes != SH_GRADIENT && planes != SH_HESSIAN) return SH_ERROR_OPTION;
+    if (!shi_scheme_planes(scheme) || shi_scheme_planes(scheme) > planes) return SH_ERROR_OPTION;
+    if (outside != SH_CLAMP && outside != SH_EXTRAPOLATE) return SH_ERROR_OPTION;
+    s->scheme = scheme;
+    s->n = (size_t)bands * (size_t)bands;
+    numbers = (double)s->n * planes * channels;
+    s->step[0] = s->n * (size_t)planes * (size_t)channels;
+    if (!SHI_FN(shi_finite)(grid->origin, 3) || !SHI_FN(shi_finite)(grid->cell, 3)) return SH_ERROR_NOT_FINITE;
+    for (a = 0; a < 3; a++) {
+        const int count = grid->count[a];
+        const SHI_T cell = grid->cell[a];
+        if (count < 1 || (count > 1 && !(cell >= SHI_C(1e-18) && cell <= SHI_C(1e18)))) return SH_ERROR_GRID;
+        numbers *= count;
+        if (count > SHI_AXIS_NODES || numbers * (double)sizeof(SHI_T) > (double)((size_t)-1 / 2)) return SH_ERROR_COUNT;
+        if (a < 2) s->step[a + 1] = s->step[a] * (size_t)count;
+        s->taps[a] = count == 1 ? 1 : count == 2 || scheme != SH_HERMITE_MIXED ? 2 : 4;
+        s->lower[a] = s->upper[a] = 0;
+    }
+    shi_stencil_offsets(s);
+    return SH_OK;
+}
+
+/* A query's cell, and its place there. Coordinates are in cells from the origin; the error of t is that of a point
+ * moved by 2 eps |point - origin|. */
+SHI_INLINE int SHI_FN(shi_locate)(SHI_T point, SHI_T origin, SHI_T inverse, int count, SHI_T reach, SHI_T *t, SHI_T *rate)
+{
+    const SHI_T x = (point - origin) * inverse, high = (SHI_T)(count - 1) + reach;
+    const SHI_T inside = x < -reach ? -reach : x > high ? high : x;
+    int i;
+
+    if (count == 1) { *t = *rate = 0; return 0; }
+    i = inside < 1 ? 0 : inside < (SHI_T)(count - 1) ? (int)inside : count - 2;
+    *t = inside - (SHI_T)i;
+    *rate = inside == x ? inverse : 0;
+    return i;
+}
+
+/* One list, in registers if a vector holds no more than n coefficients. */
+SHI_INLINE void SHI_FN(shi_gather)(size_t n, size_t terms, const ptrdiff_t *offset, const SHI_T *w, const SHI_T *from, SHI_T *out)
+{
+    if (!SHI_MANY(shi_gather)(n, terms, offset, w, from, out)) SHI_ONE(shi_gather)(n, terms, offset, w, from, out);
+}
+
+SHI_INLINE void SHI_FN(shi_gather_dot)(size_t n, size_t terms, const ptrdiff_t *offset, const SHI_T *w, const SHI_T *from,
+                                       const SHI_T *transfer, SHI_T *value)
+{
+    if (!SHI_MANY(shi_gather_dot)(n, terms, offset, w, from, transfer, value))
+        SHI_ONE(shi_gather_dot)(n, terms, offset, w, from, transfer, value);
+}
+
+/* x^power for 0 <= x <= 1 */
+SHI_INLINE SHI_T SHI_FN(shi_power)(SHI_T x, SHI_T power)
+{
+    return power == 2 ? x * x : (SHI_T)pow((double)x, (double)power);
+}
+
+/* Queries in blocks of SH_BLOCK: out [count][channels][planes_out][n], or [count][channels] dot products. */
+SHI_INLINE int SHI_FN(shi_grid_queries)(shi_stencil *s, const SHI_FN(sh_grid) *grid, const SHI_T *nodes, int planes, int channels,
+                                         int outside, size_t count, const SHI_T *points, const SHI_T *transfers, int planes_out,
+                                         SHI_T *out)
+{
+    const SHI_T reach = outside == SH_EXTRAPOLATE ? SHI_C(SHI_REACH) : 0;
+    SHI_T inverse[3], h[3], t[3 * SH_BLOCK], rate[3 * SH_BLOCK], half[6 * SH_BLOCK], w[SHI_TERMS * SH_BLOCK];
+    int cell[3][SH_BLOCK], good[SH_BLOCK], status = SH_OK;
+    size_t done, q, left;
+    int a, c, p;
+
+    for (a = 0; a < 3; a++) {
+        h[a] = grid->count[a] > 1 ? grid->cell[a] : 0;
+        inverse[a] = grid->count[a] > 1 ? 1 / grid->cell[a] : 0;
+    }
+    memset(t, 0, sizeof t);
+    memset(rate, 0, sizeof rate);
+    memset(half, 0, sizeof half);
+    for (done = 0; done < count; done += left) {
+        left = count - done < SH_BLOCK ? count - done : SH_BLOCK;
+        for (q = 0; q < left; q++) {
+            const SHI_T *point = points + 3 * (done + q);
+            good[q] = SHI_FN(shi_finite)(point, 3);
+            if (!good[q]) status = SH_ERROR_NOT_FINITE;
+            for (a = 0; a < 3 && good[q]; a++) {
+                const size_t at = (size_t)a * SH_BLOCK + q;
+                const int i = SHI_FN(shi_locate)(point[a], grid->origin[a], inverse[a], grid->count[a], reach, &t[at], &rate[at]);
+                cell[a][q] = i;
+                half[at + (size_t)a * SH_BLOCK] = i > 0 ? SHI_C(0.5) : 0;
+                half[at + (size_t)(a + 1) * SH_BLOCK] = i + 2 < grid->count[a] ? SHI_C(0.5) : 0;
+            }
+        }
+        for (p = 0; p < planes_out; p++) {
+            SHI_MANY(shi_weights)(s, p - 1, h, t, rate, half, w);
+            for (q = 0; q < left; q++) {
+                const SHI_T *from = nodes;
+                int moved = 0;
+                if (!good[q]) continue;
+                for (a = 0; a < 3; a++) {
+                    const int lower = s->taps[a] == 4 && cell[a][q] > 0, upper = s->taps[a] == 4 && cell[a][q] + 2 < grid->count[a];
+                    moved |= lower != s->lower[a] || upper != s->upper[a];
+                    s->lower[a] = lower;
+                    s->upper[a] = upper;
+                    from += s->step[a] * (size_t)cell[a][q];
+                }
+                if (moved) shi_stencil_offsets(s);
+                for (c = 0; c < channels; c++, from += s->n * (size_t)planes) {
+                    const size_t item = (done + q) * (size_t)channels + (size_t)c;
+                    if (transfers)
+                        SHI_FN(shi_gather_dot)(s->n, s->terms, s->offset, w + q, from, transfers + (done + q) * s->n, out + item);
+                    else
+                        SHI_FN(shi_gather)(s->n, s->terms, s->offset, w + q, from,
+                                           out + (item * (size_t)planes_out + (size_t)p) * s->n);
+                }
+            }
+        }
+    }
+    return status;
+}
+
+SHI_INLINE int SHI_FN(shi_grid_call)(int bands, int planes, int channels, const SHI_FN(sh_grid) *grid, const SHI_T *nodes, int scheme,
+                                     int outside, size_t count, const SHI_T *points, const SHI_T *transfers, int planes_out, SHI_T *out)
+{
+    shi_stencil s;
+    size_t in_size, out_size;
+    const int status = SHI_FN(shi_grid_stencil)(bands, planes, channels, grid, nodes, scheme, outside, &s);
+
+    if (status != SH_OK) return status;
+    if (count == 0) return SH_OK;
+    if (!points || !out) return SH_ERROR_NULL;
+    out_size = transfers ? (size_t)channels : (size_t)channels * (size_t)planes_out * s.n;
+    if (count > (size_t)-1 / 2 / sizeof(SHI_T) / (out_size > s.n ? out_size : s.n)) return SH_ERROR_COUNT;
+    in_size = s.step[2] * (size_t)grid->count[2];
+    if (shi_overlap(out, count * out_size * sizeof *out, nodes, in_size * sizeof *nodes)
+        || shi_overlap(out, count * out_size * sizeof *out, points, 3 * count * sizeof *points)
+        || (transfers && shi_overlap(out, count * out_size * sizeof *out, transfers, count * s.n * sizeof *transfers)))
+        return SH_ERROR_OVERLAP;
+    return SHI_FN(shi_grid_queries)(&s, grid, nodes, planes, channels, outside, count, points, transfers, planes_out, out);
+}
+
+/* Coefficients at a point, out of the grid's nodes.
+ *
+ *   planes     SH_VALUES, SH_GRADIENT or SH_HESSIAN: what the nodes store; at least what the scheme reads
+ *   nodes      [nodes][channels][planes][n*n]
+ *   scheme     enum sh_scheme
+ *   outside    SH_CLAMP: a point outside the grid gets the value of the nearest point inside;
+ *              SH_EXTRAPOLATE: the border cell's polynomial, up to 1024 cells out and clamped there
+ *   point      any finite point
+ *   coeffs     [channels][n*n]
+ *
+ * An axis with one node is constant, its origin and cell do not matter.
+ */
+SH_API int SHI_FN(sh_grid_interp)(int bands, int planes, int channels, const SHI_FN(sh_grid) *grid, const SHI_T *nodes, int scheme,
+                                  int outside, const SHI_T point[3], SHI_T *coeffs)
+{
+    return SHI_FN(shi_grid_call)(bands, planes, channels, grid, nodes, scheme, outside, 1, point, NULL, 1, coeffs);
+}
+
+/* The same for many points: points [count][3], coeffs [count][channels][n*n]; each with the bits of the call for one. */
+SH_API int SHI_FN(sh_grid_interp_n)(int bands, int planes, int channels, const SHI_FN(sh_grid) *grid, const SHI_T *nodes, int scheme,
+                                    int outside, size_t count, const SHI_T *points, SHI_T *coeffs)
+{
+    return SHI_FN(shi_grid_call)(bands, planes, channels, grid, nodes, scheme, outside, count, points, NULL, 1, coeffs);
+}
+
+/* The interpolant and its exact derivatives by the point: out [channels][4][n*n] */
+SH_API int SHI_FN(sh_grid_gradient)(int bands, int planes, int channels, const SHI_FN(sh_grid) *grid, const SHI_T *nodes, int scheme,
+                                    int outside, const SHI_T point[3], SHI_T *out)
+{
+    return SHI_FN(shi_grid_call)(bands, planes, channels, grid, nodes, scheme, outside, 1, point, NULL, SH_GRADIENT, out);
+}
+
+SH_API int SHI_FN(sh_grid_gradient_n)(int bands, int planes, int channels, const SHI_FN(sh_grid) *grid, const SHI_T *nodes, int scheme,
+                                      int outside, size_t count, const SHI_T *points, SHI_T *out)
+{
+    return SHI_FN(shi_grid_call)(bands, planes, channels, grid, nodes, scheme, outside, count, points, NULL, SH_GRADIENT, out);
+}
+
+SH_API int SHI_FN(sh_grid_dot)(int bands, int planes, int channels, const SHI_FN(sh_grid) *grid, const SHI_T *nodes, int scheme,
+                               int outside, const SHI_T point[3], const SHI_T *transfer, SHI_T *values)
+{
+    if (!transfer) return SH_ERROR_NULL;
+    return SHI_FN(shi_grid_call)(bands, planes, channels, grid, nodes, scheme, outside, 1, point, transfer, 1, values);
+}
+
+SH_API int SHI_FN(sh_grid_dot_n)(int bands, int planes, int channels, const SHI_FN(sh_grid) *grid, const SHI_T *nodes, int scheme,
+                                 int outside, size_t count, const SHI_T *points, const SHI_T *transfers, SHI_T *values)
+{
+    if (!transfers && count) return SH_ERROR_NULL;
+    return SHI_FN(shi_grid_call)(bands, planes, channels, grid, nodes, scheme, outside, count, points, transfers, 1, values);
+}
+
+/* The Taylor series of one sample as a list: weight times { 1; d; d d / 2 } for its planes from `at` on. */
+SHI_INLINE size_t SHI_FN(shi_taylor_terms)(size_t k, int planes, ptrdiff_t n, const SHI_T d[3], SHI_T weight, ptrdiff_t at,
+                                           ptrdiff_t *offset, SHI_T *w)
+{
+    const SHI_T h = weight * SHI_C(0.5);
+    SHI_T v[10];
+    int p;
+
+    v[0] = weight; v[1] = weight * d[0]; v[2] = weight * d[1]; v[3] = weight * d[2];
+    v[4] = h * d[0] * d[0]; v[5] = v[1] * d[1]; v[6] = v[1] * d[2];
+    v[7] = h * d[1] * d[1]; v[8] = v[2] * d[2]; v[9] = h * d[2] * d[2];
+    for (p = 0; p < planes; p++, k++) {
+        offset[k] = at + p * n;
+        w[k * SH_BLOCK] = v[p];
+    }
+    return k;
+}
+
+/* d = point - sample and its length; negative if a component is beyond 1e18 */
+SHI_INLINE SHI_T SHI_FN(shi_difference)(const SHI_T point[3], const SHI_T sample[3], SHI_T d[3])
+{
+    SHI_T large = 0, sum = 0;
+    int a;
+
+    for (a = 0; a < 3; a++) {
+        d[a] = point[a] - sample[a];
+        large = d[a] > large ? d[a] : -d[a] > large ? -d[a] : large;
+    }
+    if (large == 0) return 0;
+    if (!(large <= SHI_C(1e18))) return -1;
+    for (a = 0; a < 3; a++) sum += (d[a] / large) * (d[a] / large);
+    return large * (SHI_T)sqrt((double)sum);
+}
+
+/* Coefficients at a point as an inverse-distance blend of the Taylor series of scattered samples, A04 Eq. 14-16:
+ * sum of w_j (f_j + g_j . d_j), w_j proportional to 1/|d_j|^power, d_j = point - sample j. */
+SHI_INLINE int SHI_FN(shi_samples)(int bands, int planes, int channels, SHI_T power, size_t count, const SHI_T *samples,
+                                   const SHI_T *blocks, const SHI_T point[3], SHI_T *coeffs)
+{
+    const size_t n = (size_t)(bands > 0 ? bands : 0) * (size_t)(bands > 0 ? bands : 0);
+    size_t block, j, done, k, i;
+    SHI_T nearest = 0, total = 0, d[3], w[SHI_TERMS * SH_BLOCK], part[SH_MAX_BANDS * SH_MAX_BANDS];
+    ptrdiff_t offset[SHI_TERMS];
+    int c;
+
+    if (!samples || !blocks || !point || !coeffs) return SH_ERROR_NULL;
+    if (bands < 1 || bands > SH_MAX_BANDS) return SH_ERROR_BANDS;
+    if (planes != SH_VALUES && planes != SH_GRADIENT && planes != SH_HESSIAN) return SH_ERROR_OPTION;
+    if (!(power > 0 && power <= SHI_C(64))) return SH_ERROR_OPTION;
+    block = n * (size_t)planes * (size_t)(channels > 0 ? channels : 0);
+    if (channels < 1 || count < 1 || count > (size_t)-1 / 2 / sizeof(SHI_T) / block) return SH_ERROR_COUNT;
+    if (shi_overlap(coeffs, n * (size_t)channels * sizeof *coeffs, blocks, count * block * sizeof *blocks)
+        || shi_overlap(coeffs, n * (size_t)channels * sizeof *coeffs, samples, 3 * count * sizeof *samples)
+        || shi_overlap(coeffs, n * (size_t)channels * sizeof *coeffs, point, 3 * sizeof *point)) return SH_ERROR_OVERLAP;
+    if (!SHI_FN(shi_finite)(point, 3) || !SHI_FN(shi_finite)(samples, 3 * count)) return SH_ERROR_NOT_FINITE;
+    for (j = 0; j < count; j++) {
+        const SHI_T r = SHI_FN(shi_difference)(point, samples + 3 * j, d);
+        if (r < 0) return SH_ERROR_NOT_FINITE;
+        /* weights relative to the nearest sample's: 1 for it, at most 1 for the others, whatever the distances */
+        if (j == 0 || r < nearest) {
+            total = j && r > 0 ? total * SHI_FN(shi_power)(r / nearest, power) : 0;
+            nearest = r;
+        }
+        total += r > nearest ? SHI_FN(shi_power)(nearest / r, power) : 1;
+    }
+    for (done = 0; done < count; done = j) {
+        for (j = done, k = 0; j < count && k + (size_t)planes <= SHI_TERMS; j++) {
+            const SHI_T r = SHI_FN(shi_difference)(point, samples + 3 * j, d);
+            const SHI_T weight = (r > nearest ? SHI_FN(shi_power)(nearest / r, power) : 1) / total;
+            k = SHI_FN(shi_taylor_terms)(k, planes, (ptrdiff_t)n, d, weight, (ptrdiff_t)((j - done) * block), offset, w);
+        }
+        for (; k % 4; k++) {
+            offset[k] = 0;
+            w[k * SH_BLOCK] = 0;
+        }
+        for (c = 0; c < channels; c++) {
+            const SHI_T *from = blocks + done * block + (size_t)c * (size_t)planes * n;
+            SHI_T *o = coeffs + (size_t)c * n;
+            SHI_FN(shi_gather)(n, k, offset, w, from, done ? part : o);
+            for (i = 0; done && i < n; i++) o[i] += part[i];
+        }
+    }
+    return SH_OK;
+}
+
+/* The Taylor series of one sample, at a point: of order 0, 1 (A04 Eq. 4, 14), 2 by what it stores, planes SH_VALUES,
+ * SH_GRADIENT, SH_HESSIAN.
+ *
+ *   sample    [3] where the sample was taken; |point - sample| <= 1e18 in every component
+ *   block     [channels][planes][n*n]
+ *   coeffs    [channels][n*n], no overlap with the inputs
+ *
+ * The error of the series is that of A04's extrapolation: it grows as (|d| / distance of the nearest light)^2, ^3.
+ */
+SH_API int SHI_FN(sh_sample_taylor)(int bands, int planes, int channels, const SHI_T sample[3], const SHI_T *block,
+                                    const SHI_T point[3], SHI_T *coeffs)
+{
+    return SHI_FN(shi_samples)(bands, planes, channels, 1, 1, sample, block, point, coeffs);
+}
+
+/* Inverse-distance blend of the Taylor series of `count` >= 1 scattered samples, A04 Eq. 15-16: weights proportional to
+ * 1/|point - sample|^power.
+ *
+ *   power     in (0, 64], A04's b: 2 is the usual one; above 1 the blend has the samples' gradients at the samples
+ *   samples   [count][3]
+ *   blocks    [count][channels][planes][n*n], planes as for sh_sample_taylor
+ *   coeffs    [channels][n*n], no overlap with the inputs
+ *
+ * At a sample the blend is that sample, to the bit (Eq. 16 is 0/0 there); samples in one place share its weight.
+ * Reproduces polynomials of the order that is stored. Cost: count * planes reads of n*n numbers, so choose few.
+ */
+SH_API int SHI_FN(sh_samples_blend)(int bands, int planes, int channels, SHI_T power, size_t count, const SHI_T *samples,
+                                    const SHI_T *blocks, const SHI_T point[3], SHI_T *coeffs)
+{
+    return SHI_FN(shi_samples)(bands, planes, channels, power, count, samples, blocks, point, coeffs);
+}
+
+#endif /* SHI_ROOM */
+
+/*
+ * MIT License
+ *
+ * Copyright (c) 2026 the shlight authors
+ *
+ * Permission is hereby granted, free of charge, to any person obtaining a copy
+ * of this software and associated documentation files (the "Software"), to deal
+ * in the Software without restriction, including without limitation the rights
+ * to use, copy, modify, merge, publish, distribute, sublicense, and/or sell
+ * copies of the Software, and to permit persons to whom the Software is
+ * furnished to do so, subject to the following conditions:
+ *
+ * The above copyright notice and this permission notice shall be included in all
+ * copies or substantial portions of the Software.
+ *
+ * THE SOFTWARE IS PROVIDED "AS IS", WITHOUT WARRANTY OF ANY KIND, EXPRESS OR
+ * IMPLIED, INCLUDING BUT NOT LIMITED TO THE WARRANTIES OF MERCHANTABILITY,
+ * FITNESS FOR A PARTICULAR PURPOSE AND NONINFRINGEMENT. IN NO EVENT SHALL THE
+ * AUTHORS OR COPYRIGHT HOLDERS BE LIABLE FOR ANY CLAIM, DAMAGES OR OTHER
+ * LIABILITY, WHETHER IN AN ACTION OF CONTRACT, TORT OR OTHERWISE, ARISING FROM,
+ * OUT OF OR IN CONNECTION WITH THE SOFTWARE OR THE USE OR OTHER DEALINGS IN THE
+ * SOFTWARE.
+ */
