@@ -1,0 +1,110 @@
+/* stage.c - the relight example's scene as buffers, and how it moves. */
+#include "gl.h"
+
+#include <stdarg.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+/* ---- what relight's rooms ask for ---- */
+
+void die(const char *format, ...)
+{
+    va_list args;
+    va_start(args, format);
+    fprintf(stderr, "%s: ", program_name);
+    vfprintf(stderr, format, args);
+    fprintf(stderr, "\n");
+    va_end(args);
+    exit(2);
+}
+
+void *need(void *old, size_t count, size_t size)
+{
+    void *p = old ? realloc(old, (count ? count : 1) * size) : calloc(count ? count : 1, size);
+    if (!p) die("out of memory");
+    return p;
+}
+
+void progress(const char *what, double done)
+{
+    if (!isatty(STDERR_FILENO)) return;
+    if (done < 1) fprintf(stderr, "\r%-24s %3.0f%%", what, 100 * done);
+    else fprintf(stderr, "\r%30s\r", "");
+}
+
+/* ---- the stage ---- */
+
+static void put(float *to, vec3 v) { to[0] = v.x; to[1] = v.y; to[2] = v.z; }
+static vec3 get(const float *v) { return vec(v[0], v[1], v[2]); }
+
+void stage_build(stage *s, int count, int quick)
+{
+    mesh m;
+    lights l;
+    int i, k;
+
+    memset(s, 0, sizeof *s);
+    memset(&m, 0, sizeof m);
+    s->low = vec(-6, -4.5f, 0);
+    s->high = vec(6, 5.5f, 6.5f);
+    s->eye.eye = vec(1.2f, -12.5f, 4.4f);
+    s->eye.at = vec(0, 0, 1.9f);
+    s->eye.width = 0.86f;
+    mesh_teapot(&m, quick ? 8 : 20);
+    mesh_place(&m, -0.5f, vec(6.0f, 5.0f, 3.2f));
+    s->turning = 3 * m.triangles;
+    mesh_add_room(&m, s->low, s->high, 0.5f);
+    s->vertices = 3 * m.triangles;
+    s->vertex = need(NULL, 7 * (size_t)s->vertices, sizeof *s->vertex);
+    for (i = 0; i < m.triangles; i++)
+        for (k = 0; k < 3; k++) {
+            float *v = s->vertex + 7 * (3 * i + k);
+            put(v, m.v[m.t[i].v[k]].p);
+            put(v + 3, m.v[m.t[i].v[k]].n);
+            v[6] = (float)m.t[i].material;
+        }
+    lights_hang(&l, count, s->low, s->high);
+    s->count = l.count;
+    s->lights = need(NULL, (size_t)l.count, sizeof *s->lights);
+    for (i = 0; i < l.count; i++)
+        for (k = 0; k < 4; k++) {
+            s->lights[i].sphere[k] = l.sphere[k * l.count + i];
+            if (k < 3) s->lights[i].radiance[k] = l.radiance[k * l.count + i];
+        }
+    free(m.v); free(m.t); free(l.sphere); free(l.radiance);
+}
+
+/* Every light swings a little about its place. As a triangle it has the sphere's disc's area, its centre, and faces
+ * the middle of the floor: by M22, Eq. 24-25, the sphere it is taken for is the sphere it replaces. */
+void stage_move(const stage *s, int triangles, double time, light *now)
+{
+    int i, k;
+
+    for (i = 0; i < s->count; i++) {
+        const float phase = 0.7f * (float)i, t = (float)time, swing = time > 0 ? 0.12f : 0;
+        light *l = &now[i];
+        vec3 at, n, x, y;
+
+        *l = s->lights[i];
+        at = add(get(l->sphere), vec(swing * sinf(1.3f * t + phase), swing * sinf(1.7f * t + 2 * phase), swing * sinf(2.1f * t + 3 * phase)));
+        put(l->sphere, at);
+        if (!triangles) continue;
+        n = unit(sub(vec(0, 0, 0.8f), at));
+        x = unit(fabsf(n.z) < 0.9f ? cross(n, vec(0, 0, 1)) : cross(n, vec(1, 0, 0)));
+        y = cross(n, x);
+        put(l->normal, n);
+        l->normal[3] = 1;
+        for (k = 0; k < 3; k++) {                           /* area (3 sqrt(3)/4) R^2 = pi r^2 */
+            const float a = phase + 2.0943951f * (float)k, r = l->sphere[3] * 1.5551203f;
+            put(l->corner[k], add(at, add(mul(x, r * cosf(a)), mul(y, r * sinf(a)))));
+        }
+    }
+}
+
+void stage_free(stage *s)
+{
+    free(s->vertex);
+    free(s->lights);
+}
