@@ -75,7 +75,7 @@ enum {
 /* One scheme on one grid: which numbers of the data a query takes, relative to its cell's first node. */
 typedef struct {
     int scheme, taps[3];        /* nodes taken along an axis: 1 (axis of one node), 2, 4 (with the cell's neighbours) */
-    int lower[3], upper[3];     /* the neighbours exist (taps of 4) */
+    int neighbours;             /* which of the cell's neighbours exist, for taps of 4: bit 2a below, 2a + 1 above */
     size_t step[3];             /* numbers from one node to the next */
     size_t n, terms;            /* coefficients; length of the list, a multiple of 4 */
     ptrdiff_t offset[SHI_TERMS];
@@ -104,10 +104,10 @@ SHI_INLINE void shi_stencil_offsets(shi_stencil *s)
     for (a = 0; a < 3; a++) {
         const ptrdiff_t step = (ptrdiff_t)s->step[a];
         const int first = s->taps[a] == 4;
-        at[a][0] = first && s->lower[a] ? -step : 0;
+        at[a][0] = s->neighbours >> 2 * a & 1 ? -step : 0;
         at[a][1] = first ? 0 : step;
         at[a][2] = step;
-        at[a][3] = s->upper[a] ? 2 * step : step;
+        at[a][3] = s->neighbours >> (2 * a + 1) & 1 ? 2 * step : step;
     }
     for (z = 0; z < s->taps[2]; z++)
     for (y = 0; y < s->taps[1]; y++)
@@ -341,8 +341,8 @@ SHI_INLINE int SHI_FN(shi_grid_stencil)(int bands, int planes, int channels, con
         if (count > SHI_AXIS_NODES || numbers * (double)sizeof(SHI_T) > (double)((size_t)-1 / 2)) return SH_ERROR_COUNT;
         if (a < 2) s->step[a + 1] = s->step[a] * (size_t)count;
         s->taps[a] = count == 1 ? 1 : count == 2 || scheme != SH_HERMITE_MIXED ? 2 : 4;
-        s->lower[a] = s->upper[a] = 0;
     }
+    s->neighbours = 0;
     shi_stencil_offsets(s);
     return SH_OK;
 }
@@ -381,16 +381,15 @@ SHI_INLINE SHI_T SHI_FN(shi_power)(SHI_T x, SHI_T power)
     return power == 2 ? x * x : (SHI_T)pow((double)x, (double)power);
 }
 
-/* Queries in blocks of SH_BLOCK: out [count][channels][planes_out][n], or [count][channels] dot products. */
+/* Queries in blocks of SH_BLOCK: out [count][channels][planes_out][n], or with transfers [count][channels] dot products. */
 SHI_INLINE int SHI_FN(shi_grid_queries)(shi_stencil *s, const SHI_FN(sh_grid) *grid, const SHI_T *nodes, int planes, int channels,
-                                         int outside, size_t count, const SHI_T *points, const SHI_T *transfers, int planes_out,
-                                         SHI_T *out)
+                                        int outside, size_t count, const SHI_T *points, const SHI_T *transfers, int planes_out,
+                                        SHI_T *out)
 {
     const SHI_T reach = outside == SH_EXTRAPOLATE ? SHI_C(SHI_REACH) : 0;
     SHI_T inverse[3], h[3], t[3 * SH_BLOCK], rate[3 * SH_BLOCK], half[6 * SH_BLOCK], w[SHI_TERMS * SH_BLOCK];
-    int cell[3][SH_BLOCK], good[SH_BLOCK], status = SH_OK;
-    size_t done, q, left;
-    int a, c, p;
+    size_t first[SH_BLOCK], done, q, left;
+    int neighbours[SH_BLOCK], a, c, p, status = SH_OK;
 
     for (a = 0; a < 3; a++) {
         h[a] = grid->count[a] > 1 ? grid->cell[a] : 0;
@@ -403,30 +402,28 @@ SHI_INLINE int SHI_FN(shi_grid_queries)(shi_stencil *s, const SHI_FN(sh_grid) *g
         left = count - done < SH_BLOCK ? count - done : SH_BLOCK;
         for (q = 0; q < left; q++) {
             const SHI_T *point = points + 3 * (done + q);
-            good[q] = SHI_FN(shi_finite)(point, 3);
-            if (!good[q]) status = SH_ERROR_NOT_FINITE;
-            for (a = 0; a < 3 && good[q]; a++) {
+            first[q] = 0;
+            neighbours[q] = SHI_FN(shi_finite)(point, 3) ? 0 : -1;
+            if (neighbours[q] < 0) status = SH_ERROR_NOT_FINITE;
+            for (a = 0; a < 3 && neighbours[q] >= 0; a++) {
                 const size_t at = (size_t)a * SH_BLOCK + q;
                 const int i = SHI_FN(shi_locate)(point[a], grid->origin[a], inverse[a], grid->count[a], reach, &t[at], &rate[at]);
-                cell[a][q] = i;
-                half[at + (size_t)a * SH_BLOCK] = i > 0 ? SHI_C(0.5) : 0;
-                half[at + (size_t)(a + 1) * SH_BLOCK] = i + 2 < grid->count[a] ? SHI_C(0.5) : 0;
+                const int lower = s->taps[a] == 4 && i > 0, upper = s->taps[a] == 4 && i + 2 < grid->count[a];
+                first[q] += s->step[a] * (size_t)i;
+                neighbours[q] |= lower << 2 * a | upper << (2 * a + 1);
+                half[at + (size_t)a * SH_BLOCK] = lower ? SHI_C(0.5) : 0;
+                half[at + (size_t)(a + 1) * SH_BLOCK] = upper ? SHI_C(0.5) : 0;
             }
         }
         for (p = 0; p < planes_out; p++) {
             SHI_MANY(shi_weights)(s, p - 1, h, t, rate, half, w);
             for (q = 0; q < left; q++) {
-                const SHI_T *from = nodes;
-                int moved = 0;
-                if (!good[q]) continue;
-                for (a = 0; a < 3; a++) {
-                    const int lower = s->taps[a] == 4 && cell[a][q] > 0, upper = s->taps[a] == 4 && cell[a][q] + 2 < grid->count[a];
-                    moved |= lower != s->lower[a] || upper != s->upper[a];
-                    s->lower[a] = lower;
-                    s->upper[a] = upper;
-                    from += s->step[a] * (size_t)cell[a][q];
+                const SHI_T *from = nodes + first[q];
+                if (neighbours[q] < 0) continue;
+                if (neighbours[q] != s->neighbours) {
+                    s->neighbours = neighbours[q];
+                    shi_stencil_offsets(s);
                 }
-                if (moved) shi_stencil_offsets(s);
                 for (c = 0; c < channels; c++, from += s->n * (size_t)planes) {
                     const size_t item = (done + q) * (size_t)channels + (size_t)c;
                     if (transfers)
@@ -441,8 +438,8 @@ SHI_INLINE int SHI_FN(shi_grid_queries)(shi_stencil *s, const SHI_FN(sh_grid) *g
     return status;
 }
 
-SHI_INLINE int SHI_FN(shi_grid_call)(int bands, int planes, int channels, const SHI_FN(sh_grid) *grid, const SHI_T *nodes, int scheme,
-                                     int outside, size_t count, const SHI_T *points, const SHI_T *transfers, int planes_out, SHI_T *out)
+SHI_NOINLINE int SHI_FN(shi_grid_call)(int bands, int planes, int channels, const SHI_FN(sh_grid) *grid, const SHI_T *nodes, int scheme,
+                                       int outside, size_t count, const SHI_T *points, const SHI_T *transfers, int planes_out, SHI_T *out)
 {
     shi_stencil s;
     size_t in_size, out_size;
@@ -452,12 +449,11 @@ SHI_INLINE int SHI_FN(shi_grid_call)(int bands, int planes, int channels, const 
     if (count == 0) return SH_OK;
     if (!points || !out) return SH_ERROR_NULL;
     out_size = transfers ? (size_t)channels : (size_t)channels * (size_t)planes_out * s.n;
-    if (count > (size_t)-1 / 2 / sizeof(SHI_T) / (out_size > s.n ? out_size : s.n)) return SH_ERROR_COUNT;
+    if (count > SHI_MOST_ITEMS / (size_t)channels) return SH_ERROR_COUNT;
     in_size = s.step[2] * (size_t)grid->count[2];
     if (shi_overlap(out, count * out_size * sizeof *out, nodes, in_size * sizeof *nodes)
         || shi_overlap(out, count * out_size * sizeof *out, points, 3 * count * sizeof *points)
-        || (transfers && shi_overlap(out, count * out_size * sizeof *out, transfers, count * s.n * sizeof *transfers)))
-        return SH_ERROR_OVERLAP;
+        || shi_overlap(out, count * out_size * sizeof *out, transfers, count * s.n * sizeof *transfers)) return SH_ERROR_OVERLAP;
     return SHI_FN(shi_grid_queries)(&s, grid, nodes, planes, channels, outside, count, points, transfers, planes_out, out);
 }
 
