@@ -5,6 +5,9 @@
 #include "report.h"
 #include "ref.h"
 
+#define CHECK(row, got, want, bound, i) row_check(row, (long double)(got), (long double)(want), (long double)(bound), i)
+#define LEPS ((long double)EPS)
+
 enum { SCHEMES = SH_BLENDED_TAYLOR2 + 1, X = 10 };     /* planes of every grid here: all of them */
 static const char *const scheme_name[SCHEMES] = { "trilinear", "half Taylor", "blended Taylor", "Hermite, zero mixed",
                                                   "Hermite, mixed", "edge Hermite", "blended Taylor 2" };
@@ -196,7 +199,7 @@ static void convergence(void **state)
             printf("\n");
             order = log2(error[STEPS - 2] / error[STEPS - 1]);
             row_case("%s, %s", scheme_name[scheme], where[w].name);
-            row_check(r, order, scheme_order[scheme], .25L, scheme);
+            CHECK(r, order, scheme_order[scheme], .25L, scheme);
             row_close(r);
         }
 }
@@ -252,7 +255,7 @@ static void side_by_side(void **state)
         for (scheme = 0; scheme < SCHEMES; scheme++) {
             error[w][scheme] = sqrt(error[w][scheme] / size);
             row_case("%s, lights %s: %.3g", scheme_name[scheme], where[w].name, error[w][scheme]);
-            if (where[w].seen[scheme] > 0) row_check(r, log2(error[w][scheme] / where[w].seen[scheme]), 0, 1, scheme);
+            if (where[w].seen[scheme] > 0) CHECK(r, log2(error[w][scheme] / where[w].seen[scheme]), 0, 1, scheme);
         }
     }
     printf("relative L2 error, 24 sphere lights, 5 bands, 8^3 nodes, %d points\n  %-20s", POINTS, "");
@@ -342,10 +345,10 @@ static void F(polynomials)(void **state)
                     }
                     assert_int_equal(F(sh_grid_interp)(1, X, 1, g, nodes, scheme, SH_CLAMP, point, &got), SH_OK);
                     row_case("%s x^%d y^%d z^%d", scheme_name[scheme], e[0], e[1], e[2]);
-                    if (yes) row_check(r, got, want, 32 * EPS, turn);
-                    if (!(fabsl(got - want) <= worst)) worst = fabsl(got - want);
+                    if (yes) CHECK(r, got, want, 32 * LEPS, turn);
+                    if (!(fabsl((long double)got - want) <= worst)) worst = fabsl((long double)got - want);
                 }
-                if (!yes && q) row_check(q, 0, 1e-9L, worst, inner);      /* an error of 1e-9 at least */
+                if (!yes && q) CHECK(q, 0, 1e-9L, worst, inner);      /* an error of 1e-9 at least */
             }
         }
     }
@@ -391,7 +394,7 @@ static void F(arithmetic)(void **state)
                     for (p = 0; p < X; p++) data[i * X + p] = (long double)nodes[((i * CHANNELS + c) * X + p) * N + k];
                 row_case("%s, grid %d %d %d, cell %d %d %d, t %.6Lf %.6Lf %.6Lf", scheme_name[scheme], g.count[0], g.count[1],
                          g.count[2], cell[0], cell[1], cell[2], t[0], t[1], t[2]);
-                row_check(r, got[c * N + k], textbook(scheme, &f, cell, t), 8 * EPS, k);
+                CHECK(r, got[c * N + k], textbook(scheme, &f, cell, t), 8 * LEPS, k);
             }
     }
     row_close(r);
@@ -420,7 +423,7 @@ static void F(gradients)(void **state)
             assert_int_equal(F(sh_grid_gradient)(1, X, 1, g, nodes, scheme, SH_CLAMP, point, got), SH_OK);
             assert_int_equal(F(sh_grid_interp)(1, X, 1, g, nodes, scheme, SH_CLAMP, point, &value), SH_OK);
             row_case("%s, cell %d %d %d", scheme_name[scheme], cell[0], cell[1], cell[2]);
-            row_check(v, got[0], value, 0, 0);
+            CHECK(v, got[0], value, 0, 0);
             f.data = data;
             for (a = 0; a < 3; a++) { f.count[a] = g->count[a]; f.h[a] = (long double)g->cell[a]; }
             for (a = 0; a < 3; a++) {
@@ -431,8 +434,8 @@ static void F(gradients)(void **state)
                 if (t[a] == 0 && cell[a] > 0 && !scheme_smooth[scheme]) continue;
                 high[a] += step;
                 low[a] -= step;
-                row_check(r, got[1 + a], (textbook(scheme, &f, cell, high) - textbook(scheme, &f, cell, low)) / (2 * step * f.h[a]),
-                          (16 * (long double)EPS + 4 * step * step) / f.h[a], a);
+                CHECK(r, got[1 + a], (textbook(scheme, &f, cell, high) - textbook(scheme, &f, cell, low)) / (2 * step * f.h[a]),
+                          (16 * LEPS + 4 * step * step) / f.h[a], a);
             }
         }
     row_close(r);
@@ -465,9 +468,9 @@ static void F(smoothness)(void **state)
             point[axis] = g->origin[axis] + (T)face * g->cell[axis] + away;
             assert_int_equal(F(sh_grid_gradient)(1, X, 1, g, nodes, scheme, SH_CLAMP, point, high), SH_OK);
             row_case("%s, axis %d, face %d", scheme_name[scheme], axis, face);
-            row_check(r, high[0], low[0], 32 * near + 16 * (double)EPS, axis);
+            CHECK(r, high[0], low[0], 32 * near + 16 * (double)EPS, axis);
             for (a = 0; a < 3; a++) {
-                if (scheme_smooth[scheme]) row_check(q, high[1 + a], low[1 + a], (256 * near + 64 * (double)EPS) / (double)g->cell[a], a);
+                if (scheme_smooth[scheme]) CHECK(q, high[1 + a], low[1 + a], (256 * near + 64 * (double)EPS) / (double)g->cell[a], a);
                 if (fabs((double)(high[1 + a] - low[1 + a])) > jump[scheme]) jump[scheme] = fabs((double)(high[1 + a] - low[1 + a]));
             }
         }
@@ -510,13 +513,13 @@ static void F(outside)(void **state)
             row_case("%s, axes %d, t %Lg %Lg %Lg", scheme_name[scheme], out, u[0], u[1], u[2]);
             assert_int_equal(F(sh_grid_gradient)(1, X, 1, g, nodes, scheme, SH_CLAMP, inside, near), SH_OK);
             assert_int_equal(F(sh_grid_gradient)(1, X, 1, g, nodes, scheme, SH_CLAMP, point, got), SH_OK);
-            row_check(r, got[0], near[0], 0, 0);
+            CHECK(r, got[0], near[0], 0, 0);
             for (a = 0; a < 3; a++)
-                if (out >> a & 1 && u[a] != 0 && u[a] != 1) row_check(r, got[1 + a], 0, 0, 1 + a);
+                if (out >> a & 1 && u[a] != 0 && u[a] != 1) CHECK(r, got[1 + a], 0, 0, 1 + a);
             assert_int_equal(F(sh_grid_interp)(1, X, 1, g, nodes, scheme, SH_EXTRAPOLATE, point, got), SH_OK);
             fd.data = data;
             for (a = 0; a < 3; a++) { fd.count[a] = g->count[a]; fd.h[a] = (long double)g->cell[a]; }
-            row_check(q, got[0], textbook(scheme, &fd, cell, u), 16 * size * EPS, 0);
+            CHECK(q, got[0], textbook(scheme, &fd, cell, u), 16 * size * LEPS, 0);
             for (a = 0; a < 3; a++)
                 if (out >> a & 1) {
                     point[a] = u[a] > .5L ? g->origin[a] + (T)(g->count[a] - 1 + 1024) * g->cell[a] : g->origin[a] - 1024 * g->cell[a];
@@ -525,7 +528,7 @@ static void F(outside)(void **state)
             assert_int_equal(F(sh_grid_interp)(1, X, 1, g, nodes, scheme, SH_EXTRAPOLATE, point, near), SH_OK);
             for (a = 0; a < 3; a++) if (out >> a & 1) point[a] = inside[a];
             assert_int_equal(F(sh_grid_interp)(1, X, 1, g, nodes, scheme, SH_EXTRAPOLATE, point, far), SH_OK);
-            row_check(f, far[0], near[0], 0, 0);
+            CHECK(f, far[0], near[0], 0, 0);
         }
     row_close(r);
     row_close(q);
@@ -554,8 +557,8 @@ static void F(one_node)(void **state)
             p[axis] = (T)-1e9;
             assert_int_equal(F(sh_grid_gradient)(1, X, 1, &other, nodes, scheme, SH_EXTRAPOLATE, p, b_value), SH_OK);
             row_case("%s, axis %d", scheme_name[scheme], axis);
-            for (i = 0; i < 4; i++) row_check(r, b_value[i], a_value[i], 0, i);
-            row_check(r, a_value[1 + axis], 0, 0, 1 + axis);
+            for (i = 0; i < 4; i++) CHECK(r, b_value[i], a_value[i], 0, i);
+            CHECK(r, a_value[1 + axis], 0, 0, 1 + axis);
         }
     row_close(r);
 }
@@ -590,7 +593,7 @@ static void F(many)(void **state)
                     default: i = F(sh_grid_dot_n)(bands, X, CHANNELS, &g, nodes, scheme, count & 1, (size_t)count, points, transfer, out);
                     }
                     assert_int_equal(i, SH_OK);
-                    for (k = 0; k < GUARD; k++) row_check(r, out[(size_t)count * size + k], 77, 0, -1);
+                    for (k = 0; k < GUARD; k++) CHECK(r, out[(size_t)count * size + k], 77, 0, -1);
                     for (i = 0; i < count; i++) {
                         const T *p = points + 3 * i;
                         switch (form) {
@@ -598,7 +601,7 @@ static void F(many)(void **state)
                         case 1: F(sh_grid_gradient)(bands, X, CHANNELS, &g, nodes, scheme, count & 1, p, single); break;
                         default: F(sh_grid_dot)(bands, X, CHANNELS, &g, nodes, scheme, count & 1, p, transfer + (size_t)i * n, single);
                         }
-                        row_check(r, memcmp(single, out + (size_t)i * size, size * sizeof *single) != 0, 0, 0, i);
+                        CHECK(r, memcmp(single, out + (size_t)i * size, size * sizeof *single) != 0, 0, 0, i);
                     }
                 }
             }
@@ -636,14 +639,27 @@ static void F(fused)(void **state)
                 assert_int_equal(F(sh_grid_dot)(bands, X, 1, &g, nodes, scheme, SH_CLAMP, point, transfer, &got), SH_OK);
                 for (k = 0; k < n; k++) { want += (long double)c[k] * (long double)transfer[k]; size += fabsl((long double)c[k] * (long double)transfer[k]); }
                 row_case("bands %d, %s", bands, scheme_name[scheme]);
-                row_check(r, got, want, 16 * EPS * (size + 1e-3L), 0);
-                row_check(q, memcmp(c, d, n * sizeof *c) != 0, 0, 0, 0);
+                CHECK(r, got, want, 16 * LEPS * (size + 1e-3L), 0);
+                CHECK(q, memcmp(c, d, n * sizeof *c) != 0, 0, 0, 0);
             }
         }
         free(nodes); free(less); free(c); free(d); free(transfer);
     }
     row_close(r);
     row_close(q);
+}
+
+/* Derivative d of a polynomial at x: its terms' exponents and coefficients. */
+static long double F(polynomial)(int terms, int e[][3], const long double *c, const T x[3], const int d[3])
+{
+    long double sum = 0;
+    int i, a;
+    for (i = 0; i < terms; i++) {
+        long double v = c[i];
+        for (a = 0; a < 3; a++) v *= monomial((long double)x[a], e[i][a], d[a]);
+        sum += v;
+    }
+    return sum;
 }
 
 /* A04's scattered samples. */
@@ -668,28 +684,20 @@ static void F(scattered)(void **state)
                 for (i = 0; i < 27; i++)
                     if (i % 3 + i / 3 % 3 + i / 9 == k) { e[terms][0] = i % 3; e[terms][1] = i / 3 % 3; e[terms++][2] = i / 9; }
             for (k = 0; k < CHANNELS * N; k++)
-                for (i = 0; i < terms; i++) poly[k][i] = ref_between(-1, 1);
+                for (i = 0; i < terms; i++) poly[k][i] = (long double)ref_between(-1, 1);
             for (i = 0; i < COUNT; i++)
                 for (c = 0; c < CHANNELS; c++)
                     for (p = 0; p < planes; p++)
-                        for (k = 0; k < N; k++) {
-                            long double v = 0;
-                            for (a = 0; a < terms; a++)
-                                v += poly[c * N + k][a] * monomial(samples[3 * i], e[a][0], derivative[p][0])
-                                   * monomial(samples[3 * i + 1], e[a][1], derivative[p][1]) * monomial(samples[3 * i + 2], e[a][2], derivative[p][2]);
-                            blocks[((i * CHANNELS + c) * planes + p) * N + k] = (T)v;
-                        }
+                        for (k = 0; k < N; k++)
+                            blocks[((i * CHANNELS + c) * planes + p) * N + k] =
+                                (T)F(polynomial)(terms, e, poly[c * N + k], samples + 3 * i, derivative[p]);
             for (a = 0; a < 3; a++) point[a] = 2 * F(random)();
             for (count = 1; count <= COUNT; count += count < 5 ? 1 : 15) {
                 if (count == 1) assert_int_equal(F(sh_sample_taylor)(3, planes, CHANNELS, samples, blocks, point, got), SH_OK);
                 else assert_int_equal(F(sh_samples_blend)(3, planes, CHANNELS, power, (size_t)count, samples, blocks, point, got), SH_OK);
                 row_case("order %d, power %g, %d samples", order, (double)power, count);
-                for (k = 0; k < CHANNELS * N; k++) {
-                    long double want = 0;
-                    for (a = 0; a < terms; a++)
-                        want += poly[k][a] * monomial(point[0], e[a][0], 0) * monomial(point[1], e[a][1], 0) * monomial(point[2], e[a][2], 0);
-                    row_check(r, got[k], want, 64 * EPS, k);
-                }
+                for (k = 0; k < CHANNELS * N; k++)
+                    CHECK(r, got[k], F(polynomial)(terms, e, poly[k], point, derivative[0]), 64 * LEPS, k);
             }
         }
         /* random data from here on: at a sample the sample, to the bit; its gradient nearby */
@@ -698,7 +706,7 @@ static void F(scattered)(void **state)
             row_case("order %d, sample %d", order, turn);
             assert_int_equal(F(sh_samples_blend)(3, planes, CHANNELS, 2, COUNT, samples, blocks, samples + 3 * turn, got), SH_OK);
             for (k = 0; k < CHANNELS * N; k++)
-                row_check(q, got[k], blocks[(turn * CHANNELS + k / N) * planes * N + k % N], 0, k);
+                CHECK(q, got[k], blocks[(turn * CHANNELS + k / N) * planes * N + k % N], 0, k);
             for (a = 0; a < 3 && planes > 1; a++) {
                 const T step = IS_F32 ? (T)1e-3 : (T)1e-6;
                 T near[3];
@@ -706,8 +714,8 @@ static void F(scattered)(void **state)
                 near[a] += step;
                 assert_int_equal(F(sh_samples_blend)(3, planes, CHANNELS, 4, COUNT, samples, blocks, near, got2), SH_OK);
                 for (k = 0; k < CHANNELS * N; k++)
-                    row_check(g, (got2[k] - got[k]) / (near[a] - samples[3 * turn + a]), blocks[(turn * CHANNELS + k / N) * planes * N + (1 + a) * N + k % N],
-                              4 * (long double)(step + EPS / step), k);
+                    CHECK(g, (got2[k] - got[k]) / (near[a] - samples[3 * turn + a]), blocks[(turn * CHANNELS + k / N) * planes * N + (1 + a) * N + k % N],
+                              4 * ((long double)step + LEPS / (long double)step), k);
             }
         }
     }
@@ -715,12 +723,12 @@ static void F(scattered)(void **state)
         T two[6] = { 1, 2, 3, 1, 2, 3 }, values[2] = { 4, 8 }, at[3] = { 1, 2, 3 }, value, scale;
         assert_int_equal(F(sh_samples_blend)(1, 1, 1, 2, 2, two, values, at, &value), SH_OK);
         row_case("two samples in one place");
-        row_check(far, value, 6, 0, 0);
+        CHECK(far, value, 6, 0, 0);
         for (scale = (T)1e-18; scale < (T)1e17; scale *= 10) {
             const T s[6] = { scale, 0, 0, 0, -3 * scale, 0 }, o[3] = { 0, 0, 0 };
             assert_int_equal(F(sh_samples_blend)(1, 1, 1, 2, 2, s, values, o, &value), SH_OK);
             row_case("distances %g and %g", (double)scale, 3 * (double)scale);
-            row_check(far, value, (4 * 9 + 8) / 10.L, 8 * 8 * EPS, 0);
+            CHECK(far, value, (4 * 9 + 8) / 10.L, 8 * 8 * LEPS, 0);
         }
     }
     row_close(r);
