@@ -10,7 +10,7 @@ from mpmath import matrix, lu_solve, mp, mpf, pi, sqrt
 
 mp.dps = 60
 BANDS = 16                          # swap and clamp tables
-PAIRS = (4, 8, 16, 24)              # nodes +-z of the triple product's rules
+PAIRS = (4, 8, 16)                 # nodes +-z of the rules of the triple product
 
 
 def legendre(n, z):

@@ -16,3 +16,12 @@ install:
 	sed 's|@VERSION@|$(VERSION)|' tools/shlightConfigVersion.cmake.in \
 		>"$(DESTDIR)$(PREFIX)/lib/cmake/shlight/shlightConfigVersion.cmake"
 	install -m 644 tools/shlightConfig.cmake "$(DESTDIR)$(PREFIX)/lib/cmake/shlight"
+
+# The tables of sh_product.h: make tables writes them, make check-tables compares.
+TABLE_CHECKS += check-tables-product
+.PHONY: tables-product check-tables-product
+tables: tables-product
+tables-product:
+	$(PYTHON) tools/gen_product.py
+check-tables-product:
+	$(PYTHON) tools/gen_product.py --check
