@@ -18,13 +18,13 @@ static int add_vertex(mesh *m, vec3 p, vec3 n)
     return m->vertices++;
 }
 
-static void add_triangle(mesh *m, int a, int b, int c, int material)
+static void add_triangle(mesh *m, int a, int b, int c, int kind)
 {
     triangle *t;
     GROW(m->t, m->triangles);
     t = &m->t[m->triangles++];
     t->v[0] = a; t->v[1] = b; t->v[2] = c;
-    t->material = material;
+    t->material = kind;
 }
 
 /* ---- the teapot ----
@@ -280,7 +280,7 @@ void mesh_place(mesh *m, float turn, vec3 room_for)
 }
 
 /* nu x nv quads from a corner; the normal is u x v. Floors alternate two materials in unit tiles. */
-static void add_sheet(mesh *m, vec3 corner, vec3 u, vec3 v, float step, int material)
+static void add_sheet(mesh *m, vec3 corner, vec3 u, vec3 v, float step, int kind)
 {
     const int nu = (int)ceilf(sqrtf(dot(u, u)) / step), nv = (int)ceilf(sqrtf(dot(v, v)) / step);
     const int first = m->vertices, row = nu + 1;
@@ -295,8 +295,8 @@ static void add_sheet(mesh *m, vec3 corner, vec3 u, vec3 v, float step, int mate
             const int a = first + j * row + i;
             const vec3 p = m->v[a].p;
             const int odd = ((int)floorf(p.x + 0.5f * step) + (int)floorf(p.y + 0.5f * step)) & 1;
-            add_triangle(m, a, a + 1, a + row + 1, material == WALL ? WALL : odd ? FLOOR_LIGHT : FLOOR_DARK);
-            add_triangle(m, a, a + row + 1, a + row, material == WALL ? WALL : odd ? FLOOR_LIGHT : FLOOR_DARK);
+            add_triangle(m, a, a + 1, a + row + 1, kind == WALL ? WALL : odd ? FLOOR_LIGHT : FLOOR_DARK);
+            add_triangle(m, a, a + row + 1, a + row, kind == WALL ? WALL : odd ? FLOOR_LIGHT : FLOOR_DARK);
         }
 }
 

@@ -40,6 +40,11 @@ void die(const char *format, ...)
     exit(2);
 }
 
+void check(int status)
+{
+    if (status < 0) die("%s", sh_status_string(status));
+}
+
 /* New memory is zero. */
 void *need(void *old, size_t count, size_t size)
 {
@@ -113,7 +118,7 @@ static double mean_difference(const float *a, const float *b, size_t values)
     return sum / (double)values;
 }
 
-static void compare(const scene *s, const options *o, int bands, const char *file)
+static void compare(const scene *s, const view *w, const float *blocked, const options *o, int bands)
 {
     method at[] = {
         { "per pixel",           PER_POINT,          0,       0,            0, 0, 0, NULL },
@@ -134,13 +139,13 @@ static void compare(const scene *s, const options *o, int bands, const char *fil
     char text[256];
     int i;
 
-    shade(s, bands, at, METHODS);
-    exposure = picture_exposure(s->w, at[0].rgb);
-    reference = picture_develop(s->w, at[0].rgb, exposure);
-    printf("\n%d spheres, %d bands, %d x %d pixels, %d points shaded\n", s->l->count, bands, o->width, o->height, s->w->count);
+    shade(s, w, blocked, bands, at, METHODS);
+    exposure = picture_exposure(w, at[0].rgb);
+    reference = picture_develop(w, at[0].rgb, exposure);
+    printf("\n%d spheres, %d bands, %d x %d pixels, %d points shaded\n", s->l.count, bands, o->width, o->height, w->count);
     printf("%-20s %5s %10s %10s %10s %9s\n", "scheme", "nodes", "build ms", "shade ms", "MAE x 1e3", "speed-up");
     for (i = 0; i < METHODS; i++) {
-        float *picture = picture_develop(s->w, at[i].rgb, exposure);
+        float *picture = picture_develop(w, at[i].rgb, exposure);
         const int left = i % 3 * width, top = i / 3 * (height + LABEL);
         char nodes[16] = "-";
         size_t k;
@@ -151,7 +156,7 @@ static void compare(const scene *s, const options *o, int bands, const char *fil
                1e3 * at[i].error, at[0].shade / (at[i].build + at[i].shade));
         if (at[i].scheme == SH_EDGE_HERMITE) {
             sheet whole = sheet_new(o->width, o->height);
-            sprintf(text, "%.200s.png", file);
+            sprintf(text, "%.200s.png", o->out);
             sheet_paste(&whole, 0, 0, picture, o->width, o->height, 1);
             sheet_write(&whole, text);
         }
@@ -163,7 +168,7 @@ static void compare(const scene *s, const options *o, int bands, const char *fil
         free(picture);
         free(at[i].rgb);
     }
-    sprintf(text, "%.200s-error.png", file);
+    sprintf(text, "%.200s-error.png", o->out);
     sheet_write(&errors, text);
     free(reference);
 }
@@ -171,33 +176,22 @@ static void compare(const scene *s, const options *o, int bands, const char *fil
 int main(int argc, char **argv)
 {
     const options o = parse(argc, argv);
-    const vec3 low = vec(-7, -5, 0), high = vec(5, 5, 6.5f);
-    const camera c = { {-1.8f, -13.6f, 3.5f}, {-0.9f, 0, 2.35f}, 0.80f };
-    mesh m;
-    lights l;
-    view w;
     scene s;
-    int casters, bands;
+    view w;
+    float *blocked;
 
 #if defined(_OPENMP)
     if (o.threads) omp_set_num_threads(o.threads);
 #endif
-    memset(&m, 0, sizeof m);
-    if (o.mesh) mesh_read_obj(&m, o.mesh, o.up);
-    else mesh_teapot(&m, o.quick ? 8 : 20);
-    mesh_place(&m, -0.5f, vec(6.0f, 5.0f, 3.2f));
-    casters = m.triangles;
-    mesh_add_room(&m, low, high, o.quick ? 0.5f : 0.125f);
-    lights_hang(&l, o.lights, low, high);
-    view_trace(&w, &c, &m, &l, o.width, o.height);
+    scene_build(&s, o.mesh, o.up, o.lights, o.quick);
+    view_trace(&w, &s, o.width, o.height);
     picture_glow(&w);
-
-    s.m = &m; s.l = &l; s.w = &w; s.low = low; s.high = high;
-    s.blocked = trace_blocked(&m, casters, BANDS, o.quick ? 128 : 1024);
-    for (bands = 5; bands <= 9; bands += 4)
-        if (!o.bands) compare(&s, &o, bands, o.out);
-    if (o.bands) compare(&s, &o, o.bands, o.out);
-
-    free(m.v); free(m.t); free(l.sphere); free(l.radiance); free(w.at); free(w.glow); free((void *)(size_t)s.blocked);
+    blocked = trace_blocked(&s, BANDS, o.quick ? 128 : 1024);
+    if (o.bands) compare(&s, &w, blocked, &o, o.bands);
+    else {
+        compare(&s, &w, blocked, &o, 5);
+        compare(&s, &w, blocked, &o, 9);
+    }
+    free(s.m.v); free(s.m.t); free(s.l.sphere); free(s.l.radiance); free(w.at); free(w.glow); free(blocked);
     return 0;
 }

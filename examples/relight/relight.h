@@ -1,7 +1,7 @@
 /* relight.h - the rooms of the relight example, and what they hand each other.
  *
  *     mesh.c      triangle meshes: the teapot, OBJ files, the room           -> mesh
- *     lights.c    coloured spheres: a picture of spheres, strings of bulbs   -> lights
+ *     scene.c     materials, lights, camera: what stands where               -> scene
  *     trace.c     a bounding volume hierarchy and rays through it            -> points, blocked
  *     shade.c     grids of coefficients, reconstruction, shading             -> radiance
  *     picture.c   exposure, glow, tone curve, labels, PNG files
@@ -33,11 +33,12 @@ static inline vec3 unit(vec3 a)
 static inline vec3 lower(vec3 a, vec3 b) { return vec(fminf(a.x, b.x), fminf(a.y, b.y), fminf(a.z, b.z)); }
 static inline vec3 upper(vec3 a, vec3 b) { return vec(fmaxf(a.x, b.x), fmaxf(a.y, b.y), fmaxf(a.z, b.z)); }
 
-/* relight.c: a message on stderr and exit code 2; memory or the same; a progress line where a person sees it */
+/* relight.c: a message on stderr and exit code 2; the same for a bad status or no memory; a line where a person looks */
 #if defined(__GNUC__)
 __attribute__((__noreturn__, __format__(__printf__, 1, 2)))
 #endif
 void  die(const char *format, ...);
+void  check(int status);
 void *need(void *old, size_t count, size_t size);
 void  progress(const char *what, double done);
 
@@ -45,16 +46,20 @@ void  progress(const char *what, double done);
 typedef struct { vec3 p, n; } vertex;
 typedef struct { int v[3], material; } triangle;
 typedef struct { vertex *v; triangle *t; int vertices, triangles; } mesh;
-enum { GLAZE, FLOOR_LIGHT, FLOOR_DARK, WALL };
+enum { GLAZE, FLOOR_LIGHT, FLOOR_DARK, WALL, MATERIALS };
 
 void mesh_teapot(mesh *m, int steps);                        /* Newell's 32 patches, steps x steps quads each */
 void mesh_read_obj(mesh *m, const char *path, char up);
 void mesh_place(mesh *m, float turn, vec3 room_for);         /* turn about z, fit into a box, stand on z = 0 */
 void mesh_add_room(mesh *m, vec3 low, vec3 high, float step);
 
-/* lights.c */
+/* scene.c */
+typedef struct { float albedo[3], f0, alpha; } material;
 typedef struct { float *sphere /* [4][count] x y z r */, *radiance /* [3][count] */; int count; } lights;
-void lights_hang(lights *l, int count, vec3 low, vec3 high);
+typedef struct { vec3 eye, at; float width /* of the view at distance 1 */; } camera;
+typedef struct { mesh m; int casters /* its first triangles, all but the room */; lights l; camera c; vec3 low, high; } scene;
+extern const material materials[MATERIALS];
+void scene_build(scene *s, const char *obj /* or NULL: the teapot */, char up, int lights, int quick);
 
 /* trace.c */
 typedef struct bvh bvh;
@@ -64,21 +69,20 @@ hit  bvh_closest(const bvh *b, vec3 from, vec3 direction);
 int  bvh_blocked(const bvh *b, vec3 from, vec3 direction);
 void bvh_free(bvh *b);
 
-typedef struct { vec3 eye, at; float width /* of the view at distance 1 */; } camera;
 typedef struct {                                             /* a place to shade, and its share of a pixel */
     vec3 p, n, out;                                          /* position, normal, direction to the eye */
     float u, v, weight;
     int pixel, triangle, material;
-} point;
+} spot;
 typedef struct {
     int width, height, count;
-    point *at;                                               /* [count], pixels in order */
+    spot *at;                                               /* [count], pixels in order */
     float *glow;                                             /* [width*height][3] the lights seen directly */
 } view;
-void view_trace(view *w, const camera *c, const mesh *m, const lights *l, int width, int height);
+void view_trace(view *w, const scene *s, int width, int height);
 
-/* blocked[vertex][n2]: what the mesh's first `casters` triangles hide of the clamped cosine at each vertex */
-float *trace_blocked(const mesh *m, int casters, int bands, int rays);
+/* blocked[vertex][n2]: what the casters hide of the clamped cosine at each vertex */
+float *trace_blocked(const scene *s, int bands, int rays);
 
 /* shade.c */
 enum { BANDS = 9, PER_POINT = -1 };                          /* the shadows' bands; a scheme: no grid at all */
@@ -88,8 +92,7 @@ typedef struct {
     double build, shade, error;                              /* seconds, seconds, mean absolute error */
     float *rgb;                                              /* [points][3] */
 } method;
-typedef struct { const mesh *m; const lights *l; const view *w; const float *blocked; vec3 low, high; } scene;
-void shade(const scene *s, int bands, method *at, int methods);
+void shade(const scene *s, const view *w, const float *blocked, int bands, method *at, int methods);
 
 /* picture.c */
 enum { LABEL = 24 };                                         /* pixels */

@@ -1,35 +1,26 @@
 /* shade.c - grids of coefficients, their reconstruction at every point of the view, and shading.
  *
  * The light at a point is an SH vector. It leaves a glossy surface by two dot products with transfer vectors: one for
- * the clamped cosine about the normal less what is blocked, one for the GGX lobe about the mirror direction. The
- * transfers depend on the view alone: a moving light needs a new grid, a reconstruction and the dot products. */
+ * the clamped cosine about the normal less what is blocked, one for the clamped cosine times the GGX lobe about the
+ * mirror direction (MP21's product, taken once on the side of the view). The transfers know nothing of the light: when
+ * lights move, a new grid, a reconstruction and the dot products are all there is to do. */
 #include "relight.h"
 #include "sh_interp.h"
 #include "sh_product.h"
 
 #include <stdlib.h>
+#include <string.h>
 #include <time.h>
 
 #define PI 3.14159265f
 
-static const struct { float albedo[3], f0, roughness; } materials[] = {
-    { {0.78f, 0.76f, 0.72f}, 0.05f, 0.30f },       /* GLAZE */
-    { {0.34f, 0.33f, 0.33f}, 0.06f, 0.30f },       /* FLOOR_LIGHT */
-    { {0.05f, 0.05f, 0.06f}, 0.06f, 0.30f },       /* FLOOR_DARK */
-    { {0.20f, 0.20f, 0.22f}, 0.03f, 0.80f },       /* WALL */
-};
-enum { MATERIALS = 4, BLOCK = 128, MAX_N2 = BANDS * BANDS };
+enum { BLOCK = 128, MAX_N2 = BANDS * BANDS };
 
 static double now(void)
 {
     struct timespec t;
     clock_gettime(CLOCK_MONOTONIC, &t);
     return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
-}
-
-static void check(int status)
-{
-    if (status < 0) die("%s", sh_status_string(status));
 }
 
 static float *grid_build(const scene *s, const sh_grid_f32 *g, int planes, int bands)
@@ -42,40 +33,52 @@ static float *grid_build(const scene *s, const sh_grid_f32 *g, int planes, int b
 #pragma omp parallel for schedule(dynamic)
     for (first = 0; first < nodes; first += (long)chunk)
         check(sh_spheres_grid_f32(bands, planes, 3, g, (size_t)first, nodes - first < (long)chunk ? (size_t)(nodes - first) : chunk,
-                                  (size_t)s->l->count, s->l->sphere, s->l->radiance, coeffs + (size_t)first * size));
+                                  (size_t)s->l.count, s->l.sphere, s->l.radiance, coeffs + (size_t)first * size));
     return coeffs;
 }
 
 /* What a thread works on: points, their transfers, colours (albedo / pi, Fresnel), and the light there, packed. */
 typedef struct {
-    float place[BLOCK][3], diffuse[BLOCK][MAX_N2], gloss[BLOCK][MAX_N2], tint[BLOCK][4], light[BLOCK * 3 * MAX_N2];
+    float place[BLOCK][3], normal[BLOCK][3], tint[BLOCK][4];
+    float diffuse[BLOCK * MAX_N2], gloss[BLOCK * MAX_N2], light[BLOCK * 3 * MAX_N2];
 } block;
 
-static void transfer(const scene *s, int bands, const float *cosine, const float (*ggx)[BANDS], const point *p, block *b, int i)
+static void transfers(const scene *s, const float *blocked, int bands, const spot *p, int count, block *b)
 {
-    const int n2 = bands * bands, *v = s->m->t[p->triangle].v, mat = p->material;
-    const float share[3] = { 1 - p->u - p->v, p->u, p->v }, facing = fmaxf(dot(p->n, p->out), 0);
-    const vec3 mirror = sub(mul(p->n, 2 * dot(p->n, p->out)), p->out);
-    const float edge = 1 - facing, f0 = materials[mat].f0, f90 = fmaxf(1 - materials[mat].roughness, f0);
-    float *d = b->diffuse[i], open;
-    int k, j;
+    const int n2 = bands * bands;
+    float cosine[BANDS], ggx[MATERIALS][BANDS];
+    int i, j, k;
 
-    b->place[i][0] = p->p.x; b->place[i][1] = p->p.y; b->place[i][2] = p->p.z;
-    check(sh_zonal_rotate_f32(bands, cosine, &p->n.x, d));
-    check(sh_zonal_rotate_f32(bands, ggx[mat], &mirror.x, b->gloss[i]));
-    open = 1 / d[0];
-    for (k = 0; k < 3; k++) {
-        const float *blocked = s->blocked + (size_t)v[k] * MAX_N2;
-        for (j = 0; j < n2; j++) d[j] -= share[k] * blocked[j];
+    check(sh_zonal_cosine_f32(bands, cosine));
+    for (i = 0; i < MATERIALS; i++) check(sh_zonal_ggx_f32(bands, materials[i].alpha, ggx[i]));
+    for (i = 0; i < count; i++) {
+        const vec3 mirror = sub(mul(p[i].n, 2 * dot(p[i].n, p[i].out)), p[i].out);
+        memcpy(b->place[i], &p[i].p, sizeof b->place[i]);
+        memcpy(b->normal[i], &p[i].n, sizeof b->normal[i]);
+        check(sh_zonal_rotate_f32(bands, cosine, b->normal[i], b->diffuse + i * n2));
+        check(sh_zonal_rotate_f32(bands, ggx[p[i].material], &mirror.x, b->gloss + i * n2));
     }
-    open *= d[0];
-    for (k = 0; k < 3; k++) b->tint[i][k] = materials[mat].albedo[k] / PI;
-    b->tint[i][3] = fmaxf(open, 0) * (f0 + (f90 - f0) * edge * edge * edge * edge * edge);         /* Schlick 1994 */
+    check(sh_cosine_product_n_f32(bands, (size_t)count, b->normal[0], b->gloss, b->gloss));
+    for (i = 0; i < count; i++) {
+        const material *m = &materials[p[i].material];
+        const float share[3] = { 1 - p[i].u - p[i].v, p[i].u, p[i].v }, away = 1 - fmaxf(dot(p[i].n, p[i].out), 0);
+        const float f90 = fmaxf(1 - sqrtf(m->alpha), m->f0), fresnel = m->f0 + (f90 - m->f0) * powf(away, 5);
+        float *d = b->diffuse + i * n2, open = 1 / d[0], under_white;
+
+        for (k = 0; k < 3; k++) {
+            const float *hidden = blocked + (size_t)s->m.t[p[i].triangle].v[k] * MAX_N2;
+            for (j = 0; j < n2; j++) d[j] -= share[k] * hidden[j];
+        }
+        open = fmaxf(open * d[0], 0);                                  /* the part of the cosine that sees the room */
+        check(sh_diffuse_from_product_f32(b->gloss + i * n2, &under_white));
+        b->tint[i][3] = open * fresnel / fmaxf(under_white, 0.05f);    /* Schlick 1994; all of a white room comes back */
+        for (k = 0; k < 3; k++) b->tint[i][k] = m->albedo[k] / PI;
+    }
 }
 
 static void shade_point(const block *b, int i, int n2, float rgb[3])
 {
-    const float *d = b->diffuse[i], *g = b->gloss[i], *l = b->light + 3 * i * n2;
+    const float *d = b->diffuse + i * n2, *g = b->gloss + i * n2, *l = b->light + 3 * i * n2;
     float dr = 0, dg = 0, db = 0, gr = 0, gg = 0, gb = 0;
     int j;
 
@@ -89,16 +92,13 @@ static void shade_point(const block *b, int i, int n2, float rgb[3])
     rgb[2] = b->tint[i][2] * fmaxf(db, 0) + b->tint[i][3] * fmaxf(gb, 0);
 }
 
-void shade(const scene *s, int bands, method *at, int methods)
+void shade(const scene *s, const view *w, const float *blocked, int bands, method *at, int methods)
 {
-    const int n2 = bands * bands, points = s->w->count;
+    const int n2 = bands * bands, points = w->count;
     sh_grid_f32 *grid = need(NULL, (size_t)methods, sizeof *grid);
     float **coeffs = need(NULL, (size_t)methods, sizeof *coeffs);
-    float cosine[BANDS], ggx[MATERIALS][BANDS];
     int i, threads = 0, done = 0;
 
-    check(sh_zonal_cosine_f32(bands, cosine));
-    for (i = 0; i < MATERIALS; i++) check(sh_zonal_ggx_f32(bands, materials[i].roughness, ggx[i]));
     for (i = 0; i < methods; i++) {
         const vec3 size = sub(s->high, s->low);
         const int n = at[i].nodes;
@@ -128,12 +128,12 @@ void shade(const scene *s, int bands, method *at, int methods)
 #pragma omp for schedule(dynamic)
         for (first = 0; first < points; first += BLOCK) {
             const int count = points - first < BLOCK ? points - first : BLOCK;
-            for (j = 0; j < count; j++) transfer(s, bands, cosine, (const float (*)[BANDS])ggx, &s->w->at[first + j], b, j);
+            transfers(s, blocked, bands, w->at + first, count, b);
             for (k = 0; k < methods; k++) {
                 const double start = now();
                 if (at[k].scheme == PER_POINT)
-                    check(sh_spheres_n_f32(bands, SH_VALUES, 3, (size_t)count, b->place[0], (size_t)s->l->count,
-                                           s->l->sphere, s->l->radiance, b->light));
+                    check(sh_spheres_n_f32(bands, SH_VALUES, 3, (size_t)count, b->place[0], (size_t)s->l.count,
+                                           s->l.sphere, s->l.radiance, b->light));
                 else
                     check(sh_grid_interp_n_f32(bands, at[k].planes, 3, &grid[k], coeffs[k], at[k].scheme, SH_CLAMP,
                                                (size_t)count, b->place[0], b->light));

@@ -232,12 +232,12 @@ static vec3 ray(const eye *e, float x, float y)                    /* x, y in pi
                     e->up, (0.5f * (float)e->height - y) * k));
 }
 
-static point point_of(const eye *e, const hit *h, vec3 d)
+static spot spot_of(const eye *e, const hit *h, vec3 d)
 {
     const int *v = e->m->t[h->item].v;
     const vertex *a = &e->m->v[v[0]], *b = &e->m->v[v[1]], *c = &e->m->v[v[2]];
     const vec3 face = cross(sub(b->p, a->p), sub(c->p, a->p));
-    point p;
+    spot p;
 
     p.p = mad(e->c->eye, d, h->t);
     p.n = unit(mad(mad(mul(a->n, 1 - h->u - h->v), b->n, h->u), c->n, h->v));
@@ -263,7 +263,7 @@ static seen look(const eye *e, int x, int y)
     s.kind = NOTHING;
     if (h.item >= e->m->triangles) s.kind = -1 - (h.item - e->m->triangles);
     else if (h.item >= 0) {
-        const point p = point_of(e, &h, d);
+        const spot p = spot_of(e, &h, d);
         s.n = p.n;
         s.kind = p.material;
     }
@@ -275,7 +275,7 @@ static int differ(const seen *a, const seen *b)
     return a->kind != b->kind || dot(a->n, b->n) < 0.9f || fabsf(a->t - b->t) > 0.04f * fminf(a->t, b->t);
 }
 
-static int add_points(const eye *e, int x, int y, int sub, point *to, float *glow)
+static int add_points(const eye *e, int x, int y, int sub, spot *to, float *glow)
 {
     const float share = 1.0f / (float)(sub * sub);
     int i, count = 0;
@@ -287,7 +287,7 @@ static int add_points(const eye *e, int x, int y, int sub, point *to, float *glo
             int k;
             for (k = 0; k < 3; k++) glow[k] += share * e->l->radiance[k * e->l->count + h.item - e->m->triangles];
         } else if (h.item >= 0) {
-            to[count] = point_of(e, &h, d);
+            to[count] = spot_of(e, &h, d);
             to[count].weight = share;
             to[count++].pixel = y * e->width + x;
         }
@@ -295,17 +295,17 @@ static int add_points(const eye *e, int x, int y, int sub, point *to, float *glo
     return count;
 }
 
-void view_trace(view *w, const camera *c, const mesh *m, const lights *l, int width, int height)
+void view_trace(view *w, const scene *s, int width, int height)
 {
     const size_t pixels = (size_t)width * (size_t)height;
     seen *first = need(NULL, pixels, sizeof *first);
-    point **row = need(NULL, (size_t)height, sizeof *row);
+    spot **row = need(NULL, (size_t)height, sizeof *row);
     int *count = need(NULL, (size_t)height, sizeof *count), y, done = 0;
     eye e;
 
-    e.c = c; e.m = m; e.l = l; e.width = width; e.height = height;
-    e.b = bvh_build(m, m->triangles, l);
-    e.ahead = unit(sub(c->at, c->eye));
+    e.c = &s->c; e.m = &s->m; e.l = &s->l; e.width = width; e.height = height;
+    e.b = bvh_build(e.m, e.m->triangles, e.l);
+    e.ahead = unit(sub(s->c.at, s->c.eye));
     e.right = unit(cross(e.ahead, vec(0, 0, 1)));
     e.up = cross(e.right, e.ahead);
     w->width = width;
@@ -323,9 +323,9 @@ void view_trace(view *w, const camera *c, const mesh *m, const lights *l, int wi
         row[y] = need(NULL, (size_t)width * SUB * SUB, sizeof **row);
         count[y] = 0;
         for (x = 0; x < width; x++) {
-            const seen *s = &first[y * width + x];
-            const int edge = (x > 0 && differ(s, s - 1)) || (x + 1 < width && differ(s, s + 1))
-                          || (y > 0 && differ(s, s - width)) || (y + 1 < height && differ(s, s + width));
+            const seen *a = &first[y * width + x];
+            const int edge = (x > 0 && differ(a, a - 1)) || (x + 1 < width && differ(a, a + 1))
+                          || (y > 0 && differ(a, a - width)) || (y + 1 < height && differ(a, a + width));
             count[y] += add_points(&e, x, y, edge ? SUB : 1, row[y] + count[y], w->glow + 3 * (y * width + x));
         }
         row[y] = need(row[y], (size_t)count[y], sizeof **row);
@@ -345,20 +345,21 @@ void view_trace(view *w, const camera *c, const mesh *m, const lights *l, int wi
 
 /* ---- shadows: precomputed transfer [Sloan, Kautz, Snyder 2002], kept as what is missing from the exact cosine ---- */
 
-float *trace_blocked(const mesh *m, int casters, int bands, int rays)
+float *trace_blocked(const scene *s, int bands, int rays)
 {
+    const mesh *m = &s->m;
     const int n2 = bands * bands;
     float *blocked = need(NULL, (size_t)m->vertices * (size_t)n2, sizeof *blocked);
     vec3 *direction = need(NULL, (size_t)rays, sizeof *direction);
     float *y = need(NULL, (size_t)rays * (size_t)n2, sizeof *y);
-    bvh *b = bvh_build(m, casters, NULL);
+    bvh *b = bvh_build(m, s->casters, NULL);
     int i, done = 0;
 
     for (i = 0; i < rays; i++) {                                   /* a golden spiral: even, and the same everywhere */
-        const float z = 1 - (2 * (float)i + 1) / (float)rays, s = sqrtf(1 - z * z), a = 2.39996323f * (float)i;
-        direction[i] = vec(s * cosf(a), s * sinf(a), z);
+        const float z = 1 - (2 * (float)i + 1) / (float)rays, r = sqrtf(1 - z * z), a = 2.39996323f * (float)i;
+        direction[i] = vec(r * cosf(a), r * sinf(a), z);
     }
-    sh_eval_n_f32(bands, (size_t)rays, &direction->x, y);
+    check(sh_eval_n_f32(bands, (size_t)rays, &direction->x, y));
 #pragma omp parallel for schedule(dynamic, 64)
     for (i = 0; i < m->vertices; i++) {
         const vec3 n = m->v[i].n, from = mad(m->v[i].p, n, 2e-3f);

@@ -1,7 +1,14 @@
-/* lights.c - where the spheres hang: a sunset of one sphere per texel, and strings of coloured bulbs. */
+/* scene.c - what stands where: the mesh in its room, a picture of one sphere per texel, strings of bulbs, the camera. */
 #include "relight.h"
 
-#include <stdlib.h>
+#include <string.h>
+
+const material materials[MATERIALS] = {
+    { {0.78f, 0.76f, 0.72f}, 0.05f, 0.20f },       /* GLAZE */
+    { {0.34f, 0.33f, 0.33f}, 0.06f, 0.20f },       /* FLOOR_LIGHT */
+    { {0.05f, 0.05f, 0.06f}, 0.06f, 0.20f },       /* FLOOR_DARK */
+    { {0.20f, 0.20f, 0.22f}, 0.03f, 0.60f },       /* WALL */
+};
 
 static void hang(lights *l, int i, vec3 at, float radius, vec3 radiance)
 {
@@ -31,7 +38,7 @@ static vec3 sunset(float u, float v)
 /* Four fifths of the spheres make the picture, the rest six strings of bulbs across the room, warm on the left, cold
  * on the right. The camera sees the last two; the first are footlights, the others hang above its view. All keep about
  * a cell of an 8^3 grid away from floor and walls: nearer ones are to be evaluated directly, at every point. */
-void lights_hang(lights *l, int count, vec3 low, vec3 high)
+static void hang_all(lights *l, int count, vec3 low, vec3 high)
 {
     static const struct { float y, z, sag, power; } string[6] = { {-0.16f, 0.06f, 0, 8}, {0.02f, 0.97f, 0.06f, 30},
         {0.12f, 0.97f, 0.06f, 30}, {0.30f, 0.97f, 0.06f, 30}, {0.62f, 0.98f, 0.30f, 12}, {0.70f, 0.93f, 0.10f, 12} };
@@ -57,4 +64,20 @@ void lights_hang(lights *l, int count, vec3 low, vec3 high)
         hang(l, texels + i, vec(low.x + size.x * (0.14f + 0.72f * t), low.y + size.y * string[s].y, low.z + size.z * (string[s].z - sag)),
              0.007f * size.x, mul(mix(hue[(int)h], hue[(int)h + 1], h - floorf(h)), string[s].power));
     }
+}
+
+void scene_build(scene *s, const char *obj, char up, int count, int quick)
+{
+    static const camera stand = { {-1.8f, -13.6f, 3.5f}, {-0.9f, 0, 2.35f}, 0.80f };
+
+    memset(s, 0, sizeof *s);
+    s->low = vec(-7, -5, 0);
+    s->high = vec(5, 5, 6.5f);
+    s->c = stand;
+    if (obj) mesh_read_obj(&s->m, obj, up);
+    else mesh_teapot(&s->m, quick ? 8 : 20);
+    mesh_place(&s->m, -0.5f, vec(6, 5, 3.2f));
+    s->casters = s->m.triangles;
+    mesh_add_room(&s->m, s->low, s->high, quick ? 0.5f : 0.125f);
+    hang_all(&s->l, count, s->low, s->high);
 }
