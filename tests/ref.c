@@ -316,6 +316,9 @@ void ref_unit(double u[3])
         const int axis = (int)ref_between(0, 3), other = (axis + 1 + (ref_random() < 0.5)) % 3;
         u[0] = u[1] = u[2] = 0;
         u[axis] = ref_random() < 0.5 ? -1 : 1;
-        if (ref_random() < 0.5) u[other] = ref_log_between(1e-30, 1e-2);
+        if (ref_random() < 0.5) {
+            u[other] = ref_log_between(1e-30, 1e-2);
+            u[axis] *= sqrt(1 - u[other] * u[other]);
+        }
     }
 }

@@ -38,7 +38,7 @@ typedef struct {
     char name[48], precision[4], where[160];
     double worst;      /* in units of the bound; NaN if a NaN was seen */
     long checks;
-    int open, component;
+    int component;
 } row;
 
 row *row_open(const char *name, const char *precision);

@@ -33,3 +33,9 @@ test-unit: $(TESTS_PROGRAMS)
 # The recipe of `test` itself, so that the programs run last and the output ends with cmocka's summary.
 test: $(TESTS_PROGRAMS)
 	$(TESTS_RUN_ALL)
+
+# The headers in every language, compiler and instruction set: a quick part with `make test`, all of it here.
+.PHONY: test-matrix test-matrix-quick
+TEST_TARGETS += test-matrix-quick
+test-matrix-quick: ; @sh tests/matrix.sh quick $(BUILD)
+test-matrix:       ; @sh tests/matrix.sh full $(BUILD)
