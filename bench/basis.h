@@ -1,0 +1,36 @@
+/* basis.h - what the suite `basis` and its baselines share. */
+#ifndef BENCH_BASIS_H
+#define BENCH_BASIS_H
+
+#include "bench.h"
+
+enum { DIRECTIONS = 512 };
+
+typedef struct basis_input {
+    int bands;
+    size_t chunk;                       /* directions whose outputs are kept: the block that is reused */
+    const real *dirs, *vectors;         /* [DIRECTIONS][3]: unit; of lengths 0.5 .. 2 */
+    const real *dir_blocks, *vector_blocks;     /* the same, [DIRECTIONS/8][3][8] */
+    const real *theta, *phi;            /* [DIRECTIONS] */
+    const real *coeffs, *weights;       /* [n^2]; [DIRECTIONS] */
+    real *y, *grad, *hess;              /* chunk times n^2, 3 n^2, 6 n^2 */
+} basis_input;
+
+/* Where direction i of a chunk puts y, d/dtheta and d/dphi: the latter two share the space of grad. */
+#define ANGLE_OUTPUTS(n2) in->y + (n2) * i, in->grad + (n2) * i, in->grad + (n2) * (in->chunk + i)
+
+/* The baselines of basis_forms.c: as scalar code, and (auto) with the compiler's vectoriser let loose on the loops,
+ * across directions too. */
+#define BASIS_FORMS(suffix)                                                                          \
+    BASIS_FORM(values_polynomial##suffix) BASIS_FORM(values_sloan##suffix)                           \
+    BASIS_FORM(angles_direct##suffix) BASIS_FORM(angles_sloan_like##suffix)                          \
+    BASIS_FORM(gradient_polynomial##suffix) BASIS_FORM(gradient_direct##suffix)                      \
+    BASIS_FORM(gradient_sloan_like##suffix) BASIS_FORM(hessian_polynomial##suffix)                   \
+    BASIS_FORM(reconstruct_polynomial##suffix) BASIS_FORM(reconstruct_sloan##suffix)                 \
+    BASIS_FORM(project_polynomial##suffix) BASIS_FORM(project_sloan##suffix)
+#define BASIS_FORM(name) void FN(name)(const bench_case *self);
+BASIS_FORMS()
+BASIS_FORMS(_auto)
+#undef BASIS_FORM
+
+#endif

@@ -1,0 +1,26 @@
+/* polygon.h - what the suite `polygon` and its baselines share. */
+#ifndef BENCH_POLYGON_H
+#define BENCH_POLYGON_H
+
+#include "bench.h"
+
+enum { POLYGON_MAX_BANDS = 15, POLYGON_MAX_SIDES = 8 };
+
+typedef struct polygon_input {
+    int bands, sides, gradient;
+    size_t points;
+    const real *point;          /* [points][3] */
+    const real *vertices;       /* [sides][3] */
+    const real *lobes;          /* [2 bands - 1][3] */
+    const real *weights;        /* [n^2][2 bands - 1]: integrals of P_l about the lobes to SH coefficients */
+    const real *legendre;       /* [bands][bands]: P_l = sum of legendre[l][k] z^k */
+    real *out;                  /* [points][planes][n^2] */
+} polygon_input;
+
+/* polygon_forms.c; bands 3 5 7 9 12 15. As scalar code, and (auto) with the compiler's vectoriser. */
+void FN(polygon_monomial)(const bench_case *self);
+void FN(polygon_wang_ramamoorthi)(const bench_case *self);
+void FN(polygon_monomial_auto)(const bench_case *self);
+void FN(polygon_wang_ramamoorthi_auto)(const bench_case *self);
+
+#endif
