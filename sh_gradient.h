@@ -151,8 +151,10 @@ enum {
 #endif
 
 #define SHI_STAGE 32768                                 /* bytes of stack a plain batch may use */
-#define SHI_HORNER_BANDS 10
-#define SHI_ROWS(l, m) ((l) * ((l) + 1) / 2 + (m))      /* index into shi_beta, shi_norm */
+#define SHI_UNROLLED_BANDS 10                           /* up to here a body per band count and polynomials */
+#define SHI_ROWS(l, m) ((l) * ((l) + 1) / 2 + (m))      /* index into tables by band and m */
+
+#define SHI_HORNER(l, m) (SHI_UNROLLED_BANDS / 2 * SHI_ROWS(l, m))    /* index into shi_horner */
 
 #define SHI_CAT_(a, b) a##b
 #define SHI_CAT(a, b)  SHI_CAT_(a, b)
@@ -509,14 +511,21 @@ SHI_KERNEL int SHI_KN(shi_in_range)(SHI_V r2, SHI_T lo, SHI_T hi)
     return !SHI_ANY((SHI_M)((m < a) | (m > b)));
 }
 
-/* unit vectors of nearly unit ones: 1/sqrt(1 + e) = 1 - e/2 + 3/8 e^2, exact to eps/4 for |e| < SHI_NEAR; 0 if one is not */
+/* v/|v| of a nearly unit v, e = |v|^2 - 1: 1/sqrt(1 + e) = 1 - e/2 + 3/8 e^2, and the length right to eps/4 */
+SHI_KERNEL SHI_V SHI_KN(shi_polish)(const SHI_V v[3], SHI_V u[3])
+{
+    const SHI_V e = v[0] * v[0] + (v[1] * v[1] + (v[2] * v[2] - SHI_C(1)));
+    const SHI_V s = e * (SHI_C(0.375) * e - SHI_C(0.5));
+    u[0] = v[0] + v[0] * s;
+    u[1] = v[1] + v[1] * s;
+    u[2] = v[2] + v[2] * s;
+    return e;
+}
+
+/* unit vectors of nearly unit ones; 0 if one is not */
 SHI_KERNEL int SHI_KN(shi_nearly_unit)(const SHI_V v[3], SHI_V u[3])
 {
-    const SHI_V e = (v[0] * v[0] + v[1] * v[1] + v[2] * v[2]) - SHI_C(1);
-    const SHI_V s = SHI_C(1) - e * (SHI_C(0.5) - SHI_C(0.375) * e);
-    u[0] = v[0] * s;
-    u[1] = v[1] * s;
-    u[2] = v[2] * s;
+    const SHI_V e = SHI_KN(shi_polish)(v, u);
     return SHI_KN(shi_in_range)(e + SHI_C(1), SHI_C(1) - SHI_NEAR, SHI_C(1) + SHI_NEAR);
 }
 
@@ -525,9 +534,11 @@ SHI_KERNEL int SHI_KN(shi_unit)(const SHI_V v[3], SHI_V u[3], SHI_V *inverse)
 {
     const SHI_V r2 = v[0] * v[0] + v[1] * v[1] + v[2] * v[2];
     const SHI_V i = SHI_C(1) / SHI_SQRT(r2);
-    u[0] = v[0] * i;
-    u[1] = v[1] * i;
-    u[2] = v[2] * i;
+    SHI_V w[3];
+    w[0] = v[0] * i;
+    w[1] = v[1] * i;
+    w[2] = v[2] * i;
+    (void)SHI_KN(shi_polish)(w, u);
     *inverse = i;
     return SHI_KN(shi_in_range)(r2, SHI_MIN2, SHI_MAX2);
 }
@@ -542,6 +553,7 @@ SHI_KERNEL void SHI_KN(shi_load3)(const SHI_T *p, int lanes, SHI_V v[3])
     v[2] = p[2];
 #else
     int i;
+    v[0] = v[1] = v[2] = SHI_SPLAT(0);
     if (lanes == SHI_W) {
         SHI_UNROLL
         for (i = 0; i < SHI_W; i++) {
@@ -560,33 +572,39 @@ SHI_KERNEL void SHI_KN(shi_load3)(const SHI_T *p, int lanes, SHI_V v[3])
 #endif
 }
 
-/* block[rows][W] to W rows of out, `stride` apart, the first `lanes` of them */
-SHI_KERNEL void SHI_KN(shi_scatter)(const SHI_T *block, int rows, SHI_T *out, size_t stride, int lanes)
+/* block[rows][W], rows `pitch` elements apart, to W rows of out, `stride` apart, the first `lanes` of them */
+SHI_KERNEL void SHI_KN(shi_transpose)(const SHI_T *block, int pitch, int rows, SHI_T *out, size_t stride, int lanes)
 {
     int r = 0, i;
 #if SHI_LANES > 1
-    if (lanes == SHI_W && rows >= SHI_W) {
-        for (;;) {
-            SHI_V a[SHI_W], b[SHI_W];
-            int step;
+    while (lanes == SHI_W && rows >= SHI_W) {
+        SHI_V a[SHI_W], b[SHI_W];
+        int step;
+        SHI_UNROLL
+        for (i = 0; i < SHI_W; i++) a[i] = SHI_LOAD(block + (r + i) * pitch);
+        SHI_UNROLL
+        for (step = 1; step < SHI_W; step *= 2) {           /* a perfect shuffle per step transposes */
             SHI_UNROLL
-            for (i = 0; i < SHI_W; i++) a[i] = SHI_LOAD(block + (r + i) * SHI_W);
+            for (i = 0; i < SHI_W / 2; i++) SHI_KN(shi_zip)(a[i], a[i + SHI_W / 2], &b[2 * i], &b[2 * i + 1]);
             SHI_UNROLL
-            for (step = 1; step < SHI_W; step *= 2) {       /* a perfect shuffle per step transposes */
-                SHI_UNROLL
-                for (i = 0; i < SHI_W / 2; i++) SHI_KN(shi_zip)(a[i], a[i + SHI_W / 2], &b[2 * i], &b[2 * i + 1]);
-                SHI_UNROLL
-                for (i = 0; i < SHI_W; i++) a[i] = b[i];
-            }
-            SHI_UNROLL
-            for (i = 0; i < SHI_W; i++) SHI_STORE(out + (size_t)i * stride + r, a[i]);
-            if (r + SHI_W >= rows) return;
-            r = r + 2 * SHI_W <= rows ? r + SHI_W : rows - SHI_W;
+            for (i = 0; i < SHI_W; i++) a[i] = b[i];
         }
+        SHI_UNROLL
+        for (i = 0; i < SHI_W; i++) SHI_STORE(out + (size_t)i * stride + r, a[i]);
+        if (r + SHI_W >= rows) return;
+        r = r + 2 * SHI_W <= rows ? r + SHI_W : rows - SHI_W;   /* the last square overlaps the one before */
     }
 #endif
     for (i = 0; i < lanes; i++)
-        for (r = 0; r < rows; r++) out[(size_t)i * stride + (size_t)r] = block[r * SHI_W + i];
+        for (r = 0; r < rows; r++) out[(size_t)i * stride + (size_t)r] = block[r * pitch + i];
+}
+
+/* block[rows][8] to 8 rows of out */
+SHI_INLINE void SHI_KN(shi_scatter)(const SHI_T *block, int rows, SHI_T *out, size_t stride, int lanes)
+{
+    int i;
+    for (i = 0; i < lanes; i += SHI_W)
+        SHI_KN(shi_transpose)(block + i, SH_BLOCK, rows, out + (size_t)i * stride, stride, lanes - i < SHI_W ? lanes - i : SHI_W);
 }
 
 /* ---- basis: the bodies in the SHI_BASIS room, unrolled for a band count known when compiling, and for any ---- */
@@ -594,14 +612,18 @@ SHI_KERNEL void SHI_KN(shi_scatter)(const SHI_T *block, int rows, SHI_T *out, si
 #undef  SHI_ROOM
 #define SHI_ROOM SHI_BASIS
 #define SHI_LOOP
+#define SHI_FIXED 0
 #define SHI_BN(name) SHI_KN(SHI_CAT(name, _any))
 #include SH_GRADIENT_FILENAME
 #undef  SHI_LOOP
+#undef  SHI_FIXED
 #undef  SHI_BN
 #define SHI_LOOP SHI_UNROLL
+#define SHI_FIXED 1
 #define SHI_BN(name) SHI_KN(SHI_CAT(name, _fixed))
 #include SH_GRADIENT_FILENAME
 #undef  SHI_LOOP
+#undef  SHI_FIXED
 #undef  SHI_BN
 #undef  SHI_ROOM
 #define SHI_ROOM SHI_KERNELS
@@ -624,83 +646,144 @@ SHI_KERNEL void SHI_KN(shi_scatter)(const SHI_T *block, int rows, SHI_T *out, si
     }
 #endif
 
+/* ---- drivers: a body per band count where that pays; only the functions a program calls are compiled ---- */
+
+SHI_NOINLINE int SHI_KN(shi_blocks_values)(int n, size_t blocks, const SHI_T *dirs, SHI_T *y)
+{
+    const size_t yn = (size_t)(n * n * SH_BLOCK);
+    SHI_BANDS(n, SHI_KN(shi_blocks_fixed), SHI_KN(shi_blocks_any), SH_VALUES, blocks, dirs, y, yn, SH_BLOCK, y, 0, 0, y, 0, 0)
+}
+SHI_NOINLINE int SHI_KN(shi_blocks_both)(int n, size_t blocks, const SHI_T *dirs, SHI_T *y, size_t yn, SHI_T *g, size_t gn)
+{
+    SHI_BANDS(n, SHI_KN(shi_blocks_fixed), SHI_KN(shi_blocks_any), SH_GRADIENT, blocks, dirs, y, yn, SH_BLOCK, g, gn, SH_BLOCK, g, 0, 0)
+}
+SHI_NOINLINE int SHI_KN(shi_blocks_gradient)(int n, size_t blocks, const SHI_T *dirs, SHI_T *y, SHI_T *g)
+{
+    SHI_T discard[3 * SHI_UNROLLED_BANDS * SHI_UNROLLED_BANDS * SH_BLOCK];
+    const size_t size = (size_t)(n * n * SH_BLOCK);
+    if (n > SHI_UNROLLED_BANDS)
+        return SHI_KN(shi_blocks_any)(n, SH_GRADIENT, blocks, dirs, y ? y : discard, y ? size : 0, y ? SH_BLOCK : 0,
+                                      g ? g : discard, g ? 3 * size : 0, g ? SH_BLOCK : 0, discard, 0, 0);
+    return SHI_KN(shi_blocks_both)(n, blocks, dirs, y ? y : discard, y ? size : 0, g ? g : discard, g ? 3 * size : 0);
+}
+SHI_NOINLINE int SHI_KN(shi_blocks_hessian)(int n, size_t blocks, const SHI_T *dirs, SHI_T *y, SHI_T *g, SHI_T *h)
+{
+    SHI_T discard[SH_BLOCK];
+    const size_t size = (size_t)(n * n * SH_BLOCK);
+    return SHI_KN(shi_blocks_any)(n, SH_HESSIAN, blocks, dirs, y ? y : discard, y ? size : 0, y ? SH_BLOCK : 0,
+                                  g ? g : discard, g ? 3 * size : 0, g ? SH_BLOCK : 0,
+                                  h ? h : discard, h ? 6 * size : 0, h ? SH_BLOCK : 0);
+}
+
+/* plain layout: blocks on the stack, transposed; stage holds at least one block of all planes */
+SHI_NOINLINE int SHI_KN(shi_plain)(int n, int planes, size_t count, const SHI_T *dirs, SHI_T *y, SHI_T *g, SHI_T *h)
+{
+    const size_t size = (size_t)(n * n);
+    SHI_T stage[SHI_STAGE / sizeof(SHI_T)], v[3][SH_BLOCK];
+    SHI_T *const gb = stage + size * SH_BLOCK, *const hb = gb + 3 * size * SH_BLOCK;
+    int status = SH_OK, i, k, bad;
+    size_t p;
+    for (p = 0; p < count; p += SH_BLOCK) {
+        const int lanes = count - p < SH_BLOCK ? (int)(count - p) : SH_BLOCK;
+        for (i = 0; i < SH_BLOCK; i++)
+            for (k = 0; k < 3; k++) v[k][i] = dirs[3 * (p + (size_t)(i < lanes ? i : lanes - 1)) + (size_t)k];
+        bad = planes == SH_VALUES   ? SHI_KN(shi_blocks_values)(n, 1, v[0], stage)
+            : planes == SH_GRADIENT ? SHI_KN(shi_blocks_gradient)(n, 1, v[0], stage, gb)
+                                    : SHI_KN(shi_blocks_hessian)(n, 1, v[0], stage, gb, hb);
+        if (!bad) {
+            if (y) SHI_KN(shi_scatter)(stage, n * n, y + p * size, size, lanes);
+            if (g) SHI_KN(shi_scatter)(gb, 3 * n * n, g + p * 3 * size, 3 * size, lanes);
+            if (h) SHI_KN(shi_scatter)(hb, 6 * n * n, h + p * 6 * size, 6 * size, lanes);
+        } else {
+            status = SHI_FN(shi_one_by_one)(n, planes, (size_t)lanes, dirs + 3 * p, 1, 3, y ? y + p * size : stage, y != NULL, y ? n * n : 0,
+                                            g ? g + p * 3 * size : stage, g != NULL, g ? 3 * n * n : 0,
+                                            h ? h + p * 6 * size : stage, h != NULL, h ? 6 * n * n : 0);
+        }
+    }
+    return status;
+}
+
+/* theta[count], phi[count] to y, dt, dp [count][N]; stage holds W items */
+SHI_NOINLINE int SHI_KN(shi_angles)(int n, size_t count, const SHI_T *theta, const SHI_T *phi, SHI_T *y, SHI_T *dt, SHI_T *dp)
+{
+    const int size = n * n;
+    const size_t step = (size_t)size;
+    SHI_T stage[SHI_STAGE / sizeof(SHI_T)], *const tb = stage + size * SHI_W, *const pb = tb + size * SHI_W;
+    int status = SH_OK, i;
+    size_t p;
+    for (p = 0; p < count; p += SHI_W) {
+        const int lanes = count - p < SHI_W ? (int)(count - p) : SHI_W;
+        SHI_T a[4][SHI_W];
+        int good = 1;
+        for (i = 0; i < SHI_W; i++) {
+            const size_t at = p + (size_t)(i < lanes ? i : lanes - 1);
+            a[0][i] = SHI_LIBM(cos)(theta[at]);
+            a[1][i] = SHI_LIBM(sin)(theta[at]);
+            a[2][i] = SHI_LIBM(cos)(phi[at]);
+            a[3][i] = SHI_LIBM(sin)(phi[at]);
+            if (!SHI_FN(shi_finite)(theta + at, 1) || !SHI_FN(shi_finite)(phi + at, 1)) good = 0;
+        }
+        if (good) {
+            SHI_KN(shi_angles_any)(n, SHI_LOAD(a[0]), SHI_LOAD(a[1]), SHI_LOAD(a[2]), SHI_LOAD(a[3]), stage, tb, pb, SHI_W);
+            if (y) SHI_KN(shi_transpose)(stage, SHI_W, size, y + p * step, step, lanes);
+            if (dt) SHI_KN(shi_transpose)(tb, SHI_W, size, dt + p * step, step, lanes);
+            if (dp) SHI_KN(shi_transpose)(pb, SHI_W, size, dp + p * step, step, lanes);
+        } else if (SHI_W == 1) {
+            status = SH_ERROR_NOT_FINITE;
+        } else {
+            for (i = 0; i < lanes; i++) {
+                const size_t at = p + (size_t)i;
+                const int bad = SHI_ONE(shi_angles)(n, 1, theta + at, phi + at, y ? y + at * step : NULL,
+                                                    dt ? dt + at * step : NULL, dp ? dp + at * step : NULL);
+                status = bad ? bad : status;
+            }
+        }
+    }
+    return status;
+}
+
 #if SHI_LANES == 1
-/* directions one at a time: the status of the last bad one, whose outputs stay as they are */
+SHI_NOINLINE int SHI_KN(shi_single_values)(int n, const SHI_T v[3], SHI_T *y)
+{
+    SHI_BANDS(n, SHI_KN(shi_one_fixed), SHI_KN(shi_one_any), SH_VALUES, v, y, 1, y, 0, y, 0)
+}
+SHI_NOINLINE int SHI_KN(shi_single_both)(int n, const SHI_T v[3], SHI_T *y, SHI_T *g)
+{
+    SHI_BANDS(n, SHI_KN(shi_one_fixed), SHI_KN(shi_one_any), SH_GRADIENT, v, y, 1, g, 1, g, 0)
+}
+SHI_NOINLINE int SHI_KN(shi_single_gradient)(int n, const SHI_T v[3], SHI_T *y, SHI_T *g)
+{
+    SHI_T discard[3 * SHI_UNROLLED_BANDS * SHI_UNROLLED_BANDS];
+    if (n > SHI_UNROLLED_BANDS)
+        return SHI_KN(shi_one_any)(n, SH_GRADIENT, v, y ? y : discard, y != NULL, g ? g : discard, g != NULL, discard, 0);
+    return SHI_KN(shi_single_both)(n, v, y ? y : discard, g ? g : discard);
+}
+SHI_NOINLINE int SHI_KN(shi_single_hessian)(int n, const SHI_T v[3], SHI_T *y, SHI_T *g, SHI_T *h)
+{
+    SHI_T discard;
+    return SHI_KN(shi_one_any)(n, SH_HESSIAN, v, y ? y : &discard, y != NULL, g ? g : &discard, g != NULL, h ? h : &discard, h != NULL);
+}
+
+/* directions one at a time, with the bits of single calls: the status of the last bad one, whose outputs stay as they are */
 SHI_NOINLINE int SHI_FN(shi_one_by_one)(int n, int planes, size_t count, const SHI_T *dirs, int axis, int next,
                                         SHI_T *y, int ys, int y_next, SHI_T *g, int gs, int g_next, SHI_T *h, int hs, int h_next)
 {
+    SHI_T t[4 * SHI_UNROLLED_BANDS * SHI_UNROLLED_BANDS];
+    const int size = n * n, direct = planes == SH_HESSIAN || n > SHI_UNROLLED_BANDS;
     int status = SH_OK, ok, k;
     size_t p;
     for (p = 0; p < count; p++, dirs += next, y += y_next, g += g_next, h += h_next) {
         SHI_T v[3];
         for (k = 0; k < 3; k++) v[k] = dirs[k * axis];
-        if (planes == SH_VALUES)
-            ok = SHI_KN(shi_basis_any)(n, SH_VALUES, v, y, ys, g, gs, h, hs);
-        else if (planes == SH_GRADIENT)
-            ok = SHI_KN(shi_basis_any)(n, SH_GRADIENT, v, y, ys, g, gs, h, hs);
-        else
-            ok = SHI_KN(shi_basis_any)(n, SH_HESSIAN, v, y, ys, g, gs, h, hs);
+        if (direct && planes == SH_VALUES) ok = SHI_KN(shi_one_any)(n, SH_VALUES, v, y, ys, g, 0, h, 0);
+        else if (direct && planes == SH_GRADIENT) ok = SHI_KN(shi_one_any)(n, SH_GRADIENT, v, y, ys, g, gs, h, 0);
+        else if (direct) ok = SHI_KN(shi_one_any)(n, SH_HESSIAN, v, y, ys, g, gs, h, hs);
+        else ok = planes == SH_VALUES ? SHI_KN(shi_single_values)(n, v, t) : SHI_KN(shi_single_both)(n, v, t, t + size);
         if (!ok) status = SHI_FN(shi_direction_status)(v);
+        for (k = 0; k < size && ok && !direct; k++) y[k * ys] = t[k];
+        for (k = 0; k < 3 * size && ok && !direct && planes == SH_GRADIENT; k++) g[k * gs] = t[size + k];
     }
     return status;
-}
-#endif
-
-/* a body per band count; only the functions a program calls are compiled */
-SHI_NOINLINE int SHI_KN(shi_blocks_values)(int n, size_t blocks, const SHI_T *dirs, SHI_T *y)
-{
-    SHI_BANDS(n, SHI_KN(shi_blocks_fixed), SHI_KN(shi_blocks_any), SH_VALUES, 1, blocks, dirs, y, NULL, NULL)
-}
-SHI_NOINLINE int SHI_KN(shi_blocks_gradient)(int n, size_t blocks, const SHI_T *dirs, SHI_T *y, SHI_T *g)
-{
-    if (!y || !g) return SHI_KN(shi_blocks_any)(n, SH_GRADIENT, 0, blocks, dirs, y, g, NULL);
-    SHI_BANDS(n, SHI_KN(shi_blocks_fixed), SHI_KN(shi_blocks_any), SH_GRADIENT, 1, blocks, dirs, y, g, NULL)
-}
-SHI_NOINLINE int SHI_KN(shi_blocks_hessian)(int n, size_t blocks, const SHI_T *dirs, SHI_T *y, SHI_T *g, SHI_T *h)
-{
-    if (!y || !g || !h) return SHI_KN(shi_blocks_any)(n, SH_HESSIAN, 0, blocks, dirs, y, g, h);
-    SHI_BANDS(n, SHI_KN(shi_blocks_fixed), SHI_KN(shi_blocks_any), SH_HESSIAN, 1, blocks, dirs, y, g, h)
-}
-SHI_NOINLINE int SHI_KN(shi_plain_values)(int n, size_t count, const SHI_T *dirs, SHI_T *y)
-{
-    SHI_BANDS(n, SHI_KN(shi_plain_fixed), SHI_KN(shi_plain_any), SH_VALUES, count, dirs, y, NULL, NULL)
-}
-SHI_NOINLINE int SHI_KN(shi_plain_gradient)(int n, size_t count, const SHI_T *dirs, SHI_T *y, SHI_T *g)
-{
-    SHI_BANDS(n, SHI_KN(shi_plain_fixed), SHI_KN(shi_plain_any), SH_GRADIENT, count, dirs, y, g, NULL)
-}
-SHI_NOINLINE int SHI_KN(shi_plain_hessian)(int n, size_t count, const SHI_T *dirs, SHI_T *y, SHI_T *g, SHI_T *h)
-{
-    SHI_BANDS(n, SHI_KN(shi_plain_fixed), SHI_KN(shi_plain_any), SH_HESSIAN, count, dirs, y, g, h)
-}
-
-SHI_NOINLINE int SHI_KN(shi_angles_batch)(int n, size_t count, const SHI_T *theta, const SHI_T *phi, SHI_T *y, SHI_T *dt, SHI_T *dp)
-{
-    SHI_BANDS(n, SHI_KN(shi_angles_plain_fixed), SHI_KN(shi_angles_plain_any), count, theta, phi, y, dt, dp)
-}
-
-#if SHI_LANES == 1
-SHI_NOINLINE int SHI_FN(shi_angles_one)(int n, const SHI_T *theta, const SHI_T *phi, SHI_T *y, SHI_T *dt, SHI_T *dp)
-{
-    return SHI_KN(shi_angles_batch)(n, 1, theta, phi, y, dt, dp);
-}
-SHI_NOINLINE int SHI_KN(shi_single_values)(int n, const SHI_T v[3], SHI_T *y)
-{
-    SHI_BANDS(n, SHI_KN(shi_basis_fixed), SHI_KN(shi_basis_any), SH_VALUES, v, y, 1, NULL, 0, NULL, 0)
-}
-SHI_NOINLINE int SHI_KN(shi_single_gradient)(int n, const SHI_T v[3], SHI_T *y, SHI_T *g)
-{
-    SHI_T discard;
-    if (!y || !g) return SHI_KN(shi_basis_any)(n, SH_GRADIENT, v, y ? y : &discard, y != NULL, g ? g : &discard, g != NULL, NULL, 0);
-    SHI_BANDS(n, SHI_KN(shi_basis_fixed), SHI_KN(shi_basis_any), SH_GRADIENT, v, y, 1, g, 1, NULL, 0)
-}
-SHI_NOINLINE int SHI_KN(shi_single_hessian)(int n, const SHI_T v[3], SHI_T *y, SHI_T *g, SHI_T *h)
-{
-    SHI_T discard;
-    if (!y || !g || !h)
-        return SHI_KN(shi_basis_any)(n, SH_HESSIAN, v, y ? y : &discard, y != NULL, g ? g : &discard, g != NULL,
-                                     h ? h : &discard, h != NULL);
-    SHI_BANDS(n, SHI_KN(shi_basis_fixed), SHI_KN(shi_basis_any), SH_HESSIAN, v, y, 1, g, 1, h, 1)
 }
 #endif
 
@@ -714,29 +797,26 @@ SHI_NOINLINE int SHI_KN(shi_single_hessian)(int n, const SHI_T v[3], SHI_T *y, S
 /* a[N]: per m, per parity of l-m, cos then sin, highest power first */
 SHI_INLINE void SHI_FN(shi_horner_form)(int n, const SHI_T *c, SHI_T *a)
 {
-#define SHI_PAIRS(d) (((d) + 1) / 2 * (((d) + 2) / 2))      /* sum of k/2 + 1 over k < d */
-    const SHI_T *table = SHI_FN(shi_horner);
     int m, parity, sign, k, d;
-    for (m = 0; m < n; table += SHI_PAIRS(SHI_HORNER_BANDS - m), m++)
+    for (m = 0; m < n; m++)
         for (parity = 0; parity < 2 && parity < n - m; parity++)
             for (sign = 1; sign >= (m ? -1 : 1); sign -= 2)
                 for (k = (n - 1 - m - parity) / 2; k >= 0; k--) {
                     SHI_T sum = 0;
                     for (d = 2 * k + parity; d < n - m; d += 2)
-                        sum += c[(m + d) * (m + d + 1) + sign * m] * table[SHI_PAIRS(d) + k];
+                        sum += c[(m + d) * (m + d + 1) + sign * m] * SHI_FN(shi_horner)[SHI_HORNER(m + d, m) + k];
                     *a++ = sum;
                 }
-#undef SHI_PAIRS
 }
 
-/* a[N]: per m, per l, cos then sin, times norm */
+/* a[N]: per m, per l, cos then sin */
 SHI_INLINE void SHI_FN(shi_forward_form)(int n, const SHI_T *c, SHI_T *a)
 {
     int l, m;
     for (m = 0; m < n; m++)
         for (l = m; l < n; l++) {
-            *a++ = SHI_FN(shi_norm)[SHI_ROWS(l, m)] * c[l * (l + 1) + m];
-            if (m) *a++ = SHI_FN(shi_norm)[SHI_ROWS(l, m)] * c[l * (l + 1) - m];
+            *a++ = c[l * (l + 1) + m];
+            if (m) *a++ = c[l * (l + 1) - m];
         }
 }
 #endif
@@ -773,7 +853,7 @@ SHI_KERNEL void SHI_KN(shi_next_powers)(int m, const SHI_V u[3], SHI_V uv[4])
 
 SHI_KERNEL void SHI_KN(shi_sum_horner)(int n, int with_grad, const SHI_T *a, const SHI_V u[3], SHI_V *value, SHI_V f[3])
 {
-    const SHI_V z = u[2], t = z * z - SHI_C(0.5), z2 = z + z;
+    const SHI_V z = u[2], t = SHI_C(0.5) - (u[0] * u[0] + u[1] * u[1]), z2 = z + z;
     SHI_V uv[4];
     int m, parity, sign, k;
     uv[0] = SHI_SPLAT(1);
@@ -781,13 +861,16 @@ SHI_KERNEL void SHI_KN(shi_sum_horner)(int n, int with_grad, const SHI_T *a, con
     SHI_UNROLL
     for (m = 0; m < n; m++) {
         SHI_V ab[2], dab[2];
+        ab[0] = ab[1] = dab[0] = dab[1] = SHI_SPLAT(0);
         SHI_KN(shi_next_powers)(m, u, uv);
         SHI_UNROLL
         for (parity = 0; parity < 2; parity++) {
             if (parity < n - m) {
                 SHI_UNROLL
-                for (sign = 0; sign < (m ? 2 : 1); sign++) {
-                    SHI_V h = SHI_SPLAT(*a++), d = SHI_SPLAT(0);
+                for (sign = 0; sign < 2; sign++) {
+                    SHI_V h, d = SHI_SPLAT(0);
+                    if (m == 0 && sign) continue;
+                    h = SHI_SPLAT(*a++);
                     SHI_UNROLL
                     for (k = (n - 1 - m - parity) / 2; k > 0; k--) {
                         if (with_grad) d = d * t + h;
@@ -804,20 +887,20 @@ SHI_KERNEL void SHI_KN(shi_sum_horner)(int n, int with_grad, const SHI_T *a, con
 
 SHI_KERNEL void SHI_KN(shi_sum_forward)(int n, int with_grad, const SHI_T *a, const SHI_V u[3], SHI_V *value, SHI_V f[3])
 {
-    const SHI_V z = u[2];
-    SHI_V uv[4], column[2][SH_MAX_BANDS];
+    SHI_V uv[4], polar[3], column[2][SH_MAX_BANDS];
     int l, m;
     uv[0] = SHI_SPLAT(1);
     uv[1] = uv[2] = uv[3] = SHI_SPLAT(0);
-    SHI_KN(shi_column_any)(0, n, z, column[0]);
+    SHI_KN(shi_polar_any)(u, polar);
+    SHI_KN(shi_column_any)(0, n, polar, column[0]);
     for (m = 0; m < n; m++) {
         const SHI_V *const q0 = column[m & 1], *const q1 = column[(m + 1) & 1];
         SHI_V ab[2], dab[2];
         ab[0] = ab[1] = dab[0] = dab[1] = SHI_SPLAT(0);
         SHI_KN(shi_next_powers)(m, u, uv);
-        SHI_KN(shi_column_any)(m + 1, n, z, column[(m + 1) & 1]);
+        SHI_KN(shi_column_any)(m + 1, n, polar, column[(m + 1) & 1]);
         for (l = m; l < n; l++) {
-            const SHI_V d = l > m ? SHI_C(l - m) * q1[l] : SHI_SPLAT(0);
+            const SHI_V d = l > m ? SHI_FN(shi_slope)[SHI_ROWS(l, m)] * q1[l] : SHI_SPLAT(0);
             ab[0] += *a * q0[l];
             if (with_grad) dab[0] += *a * d;
             a++;
@@ -838,8 +921,9 @@ SHI_KERNEL int SHI_KN(shi_sums)(int n, int horner, int with_grad, const SHI_T *a
     size_t p;
     for (p = 0; p < count; p += SHI_W) {
         const int lanes = count - p < SHI_W ? (int)(count - p) : SHI_W;
-        SHI_V v[3], u[3], f[3], inverse, value;
+        SHI_V v[3], u[3], f[3], inverse = SHI_SPLAT(0), value = inverse;
         int good = 1;
+        f[0] = f[1] = f[2] = value;
         SHI_KN(shi_load3)(dirs + 3 * p, lanes, v);
         if (with_grad || !SHI_KN(shi_nearly_unit)(v, u)) good = SHI_KN(shi_unit)(v, u, &inverse);
         if (horner) SHI_KN(shi_sum_horner)(n, with_grad, a, u, &value, f);
@@ -971,7 +1055,7 @@ SHI_KERNEL int SHI_KN(shi_light_weights)(int n, int kinds, const SHI_T point[3],
 
 /* `rows` bands of column m, the last one at distance e_last, over the nb vectors of a block: M22's reverse order on a CPU,
  * the sums in registers. sum[rows][kinds][2] */
-SHI_KERNEL void SHI_KN(shi_light_rows)(int rows, int kinds, int e_last, int zonal, int nb, const SHI_T beta[6], const SHI_V *z,
+SHI_KERNEL void SHI_KN(shi_light_rows)(int rows, int kinds, int e_last, int zonal, int nb, const SHI_T beta[5], const SHI_V *z,
                                        const SHI_V *c, const SHI_V *v, const SHI_V *w, int kind_stride, SHI_V *qa, SHI_V *qb,
                                        SHI_V *sum)
 {
@@ -1168,53 +1252,79 @@ SHI_NOINLINE int SHI_KN(shi_moments_hessian)(int n, const SHI_T *point, size_t c
 /* ================================================================================================================
  * Basis: values, gradient, Hessian of W directions at once.
  *
- * Column m of monic polynomials: q_m = 1, q_{m+1} = z, q_l = z q_{l-1} - beta q_{l-2}; Y_lm = norm q_l^m(z) U_m, V_m
- * with U_m + i V_m = (-x - iy)^m, which carries Sloan's sign (S13; M22 Eq. 7-8). Since Q_l^m = d^m P_l / dz^m,
- * the derivative of column m is column m+1: q_l^m' = (l-m) q_l^{m+1}. So a sweep over m with the next one or two
- * columns at hand has all derivatives, and nothing is divided by sin(theta).
+ * Y_lm = q_l^m(z) U_m, Y_l,-m = q_l^m(z) V_m with U_m + i V_m = (-x - iy)^m, which carries Sloan's sign, and
+ * q_l^m = J_lm d^m P_l / dz^m (S13; M22 Eq. 7-8). So the derivative of column m is column m+1 up to a constant, a sweep over
+ * m with the next one or two columns at hand has all derivatives, and nothing is divided by sin(theta).
+ *
+ * A column's worst place is the pole, where P_l' = l(l+1)/2 magnifies what is wrong with z. So near it z enters through
+ * x^2 + y^2, which is small: as t = 1/2 - (x^2 + y^2) in polynomials of degree (l-m)/2 (up to 10 bands: fewer operations
+ * than the recurrence, and terms that grow only by (1 + sqrt 2)^((l-m)/2)), or as w = (x^2 + y^2)/(1 + |z|) in the
+ * recurrence of the differences p_l - p_{l-1} of p_l = q_l^m(|z|) / q_l^m(1).
  * ============================================================================================================= */
 #elif SHI_ROOM == SHI_BASIS
 
-/* q[l] for l = m .. n-1 */
-SHI_KERNEL void SHI_BN(shi_column)(int m, int n, SHI_V z, SHI_V *q)
+/* what the columns need of a unit vector: z, and t or w with the sign of z */
+SHI_KERNEL void SHI_BN(shi_polar)(const SHI_V u[3], SHI_V a[3])
+{
+    const SHI_V r2 = u[0] * u[0] + u[1] * u[1];
+    a[0] = u[2];
+#if SHI_FIXED
+    a[1] = a[2] = SHI_SELECT((SHI_M)(r2 < SHI_SPLAT(SHI_C(0.5))), SHI_C(0.5) - r2, u[2] * u[2] - SHI_C(0.5));
+#else
+    a[1] = r2 / (SHI_C(1) + SHI_ABS(u[2]));
+    a[2] = SHI_SELECT((SHI_M)(u[2] < SHI_SPLAT(0)), SHI_SPLAT(-1), SHI_SPLAT(1));
+#endif
+}
+
+/* q[l] for l = m .. n-1, norm included */
+SHI_KERNEL void SHI_BN(shi_column)(int m, int n, const SHI_V a[3], SHI_V *q)
 {
     int l;
-    if (m < n) q[m] = SHI_SPLAT(1);
-    if (m + 1 < n) q[m + 1] = z;
+#if SHI_FIXED
+    int k;
     SHI_LOOP
-    for (l = m + 2; l < n; l++) q[l] = z * q[l - 1] - SHI_FN(shi_beta)[SHI_ROWS(l, m)] * q[l - 2];
+    for (l = m; l < n; l++) {
+        const SHI_T *const c = SHI_FN(shi_horner) + SHI_HORNER(l, m);
+        SHI_V h = SHI_SPLAT(c[(l - m) / 2]);
+        SHI_LOOP
+        for (k = (l - m) / 2 - 1; k >= 0; k--) h = h * a[1] + c[k];
+        q[l] = (l - m) & 1 ? h * a[0] : h;
+    }
+#else
+    SHI_V p = SHI_SPLAT(1), d = SHI_SPLAT(0);
+    for (l = m; l < n; l++) {
+        if (l > m) {
+            const SHI_T r = SHI_FN(shi_reciprocal)[l + m];
+            d = (SHI_C(l - 1 - m) * r) * d - ((SHI_C(2 * l - 1) * r) * a[1]) * p;
+            p = p + d;
+        }
+        q[l] = SHI_FN(shi_pole)[SHI_ROWS(l, m)] * ((l - m) & 1 ? a[2] * p : p);
+    }
+#endif
 }
 
 /* y[N], `stride` elements from one coefficient to the next */
 SHI_KERNEL void SHI_BN(shi_values)(int n, const SHI_V u[3], SHI_T *y, int stride)
 {
-    const SHI_V x = -u[0], v = -u[1], z = u[2];
-    SHI_V c = x, s = v;
+    SHI_V a[3], q[SH_MAX_BANDS], c = -u[0], s = -u[1];
     int l, m;
-    SHI_STORE(y, SHI_SPLAT(SHI_FN(shi_norm)[0]));
+    SHI_BN(shi_polar)(u, a);
     SHI_LOOP
     for (m = 0; m < n; m++) {
-        SHI_V q = z, p = z;
+        SHI_BN(shi_column)(m, n, a, q);
         SHI_LOOP
         for (l = m; l < n; l++) {
-            const SHI_T norm = SHI_FN(shi_norm)[SHI_ROWS(l, m)];
-            SHI_T *at = y + (l * l + l) * stride;
-            if (l > m + 1) {
-                const SHI_V t = z * q - SHI_FN(shi_beta)[SHI_ROWS(l, m)] * (l == m + 2 ? SHI_SPLAT(1) : p);
-                p = q;
-                q = t;
-            }
+            SHI_T *const at = y + (l * l + l) * stride;
             if (m == 0) {
-                if (l > 0) SHI_STORE(at, norm * q);
+                SHI_STORE(at, q[l]);
             } else {
-                const SHI_V k = l == m ? SHI_SPLAT(norm) : norm * q;
-                SHI_STORE(at + m * stride, k * c);
-                SHI_STORE(at - m * stride, k * s);
+                SHI_STORE(at + m * stride, q[l] * c);
+                SHI_STORE(at - m * stride, q[l] * s);
             }
         }
         if (m > 0) {
-            const SHI_V t = x * c - v * s;
-            s = x * s + v * c;
+            const SHI_V t = u[1] * s - u[0] * c;
+            s = -(u[0] * s + u[1] * c);
             c = t;
         }
     }
@@ -1225,14 +1335,15 @@ SHI_KERNEL void SHI_BN(shi_gradient)(int n, const SHI_V u[3], SHI_V i, SHI_T *y,
 {
     const SHI_V x = u[0], v = u[1], z = u[2], xi = x * i, vi = v * i;
     SHI_T *const gx = g, *const gy = gx + n * n * stride, *const gz = gy + n * n * stride;
-    SHI_V column[2][SH_MAX_BANDS], c = SHI_SPLAT(1), s = SHI_SPLAT(0);
+    SHI_V a[3], column[2][SH_MAX_BANDS], c = SHI_SPLAT(1), s = SHI_SPLAT(0);
     int l, m;
-    SHI_BN(shi_column)(0, n, z, column[0]);
+    SHI_BN(shi_polar)(u, a);
+    SHI_BN(shi_column)(0, n, a, column[0]);
     SHI_LOOP
     for (m = 0; m < n; m++) {
         const SHI_V *const q0 = column[m & 1], *const q1 = column[(m + 1) & 1];
         const SHI_V mc = SHI_C(m) * (i * c), ms = SHI_C(m) * (i * s);       /* of U_{m-1}, V_{m-1} */
-        SHI_BN(shi_column)(m + 1, n, z, column[(m + 1) & 1]);
+        SHI_BN(shi_column)(m + 1, n, a, column[(m + 1) & 1]);
         if (m == 1) {
             c = -x;
             s = -v;
@@ -1245,9 +1356,8 @@ SHI_KERNEL void SHI_BN(shi_gradient)(int n, const SHI_V u[3], SHI_V i, SHI_T *y,
             const SHI_V xc = xi * c, xs = xi * s, vc = vi * c, vs = vi * s, ic = i * c, is = i * s;
             SHI_LOOP
             for (l = m; l < n; l++) {
-                const SHI_T norm = SHI_FN(shi_norm)[SHI_ROWS(l, m)];
-                const SHI_V q = norm * q0[l], d = l > m ? (norm * SHI_C(l - m)) * q1[l] : SHI_SPLAT(0);
-                const SHI_V b = SHI_C(m) * q + z * d, e = d - z * b;        /* u.F' and F'_z - z u.F', over U_m */
+                const SHI_V q = q0[l], d = l > m ? SHI_FN(shi_slope)[SHI_ROWS(l, m)] * q1[l] : SHI_SPLAT(0);
+                const SHI_V b = m == 0 ? z * d : SHI_C(m) * q + z * d, e = d - z * b;        /* u.F' and F'_z - z u.F', over U_m */
                 const int at = l * l + l;
                 if (m == 0) {
                     SHI_STORE(y + at * y_stride, q);
@@ -1299,15 +1409,16 @@ SHI_KERNEL void SHI_BN(shi_hessian)(int n, const SHI_V u[3], SHI_V i, SHI_T *y, 
                                     SHI_T *h, int stride)
 {
     const int plane = n * n * stride, g_plane = n * n * g_stride;
-    SHI_V column[3][SH_MAX_BANDS], c0 = SHI_SPLAT(1), s0 = SHI_SPLAT(0), c1 = s0, s1 = s0, c2 = s0, s2 = s0;
+    SHI_V a[3], column[3][SH_MAX_BANDS], c0 = SHI_SPLAT(1), s0 = SHI_SPLAT(0), c1 = s0, s1 = s0, c2 = s0, s2 = s0;
     int l, m;
-    SHI_BN(shi_column)(0, n, u[2], column[0]);
-    SHI_BN(shi_column)(1, n, u[2], column[1]);
+    SHI_BN(shi_polar)(u, a);
+    SHI_BN(shi_column)(0, n, a, column[0]);
+    SHI_BN(shi_column)(1, n, a, column[1]);
     SHI_LOOP
     for (m = 0; m < n; m++) {
         const SHI_V *const q0 = column[m % 3], *const q1 = column[(m + 1) % 3], *const q2 = column[(m + 2) % 3];
         const SHI_T m1 = SHI_C(m), m2 = SHI_C(m * (m - 1));
-        SHI_BN(shi_column)(m + 2, n, u[2], column[(m + 2) % 3]);
+        SHI_BN(shi_column)(m + 2, n, a, column[(m + 2) % 3]);
         if (m > 0) {                                    /* U, V of m, m-1, m-2 */
             c2 = c1;
             s2 = s1;
@@ -1318,10 +1429,8 @@ SHI_KERNEL void SHI_BN(shi_hessian)(int n, const SHI_V u[3], SHI_V i, SHI_T *y, 
         }
         SHI_LOOP
         for (l = m; l < n; l++) {
-            const SHI_T norm = SHI_FN(shi_norm)[SHI_ROWS(l, m)];
-            const SHI_V q = norm * q0[l];
-            const SHI_V d = l > m ? (norm * SHI_C(l - m)) * q1[l] : SHI_SPLAT(0);
-            const SHI_V e = l > m + 1 ? (norm * SHI_C((l - m) * (l - m - 1))) * q2[l] : SHI_SPLAT(0);
+            const SHI_V q = q0[l], d = l > m ? SHI_FN(shi_slope)[SHI_ROWS(l, m)] * q1[l] : SHI_SPLAT(0);
+            const SHI_V e = l > m + 1 ? (SHI_FN(shi_slope)[SHI_ROWS(l, m)] * SHI_FN(shi_slope)[SHI_ROWS(l, m + 1)]) * q2[l] : SHI_SPLAT(0);
             const SHI_V qm = m1 * q, qmm = m2 * q, dm = m1 * d;
             SHI_V f[3], k[6];
             int at = l * l + l + m;
@@ -1352,73 +1461,36 @@ SHI_KERNEL void SHI_BN(shi_hessian)(int n, const SHI_V u[3], SHI_V i, SHI_T *y, 
     }
 }
 
-/* the three above by number of planes; 0, and nothing written, when a lane's direction is not for this kernel */
-SHI_KERNEL int SHI_BN(shi_basis)(int n, int planes, const SHI_V v[3], SHI_T *y, int ys, SHI_T *g, int gs, SHI_T *h, int hs)
+/* dirs[blocks][3][8] to y[N][8], g[3 N][8], h[6 N][8] per block, yn, gn, hn elements apart (0: each block over the last);
+ * a stride ys, gs, hs of 0 discards an output of the looped body */
+SHI_KERNEL int SHI_BN(shi_blocks)(int n, int planes, size_t blocks, const SHI_T *dirs, SHI_T *y, size_t yn,
+                                  int ys, SHI_T *g, size_t gn, int gs, SHI_T *h, size_t hn, int hs)
 {
-    SHI_V u[3], i = v[0];
-    if (planes > SH_VALUES ? !SHI_KN(shi_unit)(v, u, &i)
-                           : !SHI_KN(shi_nearly_unit)(v, u) && (SHI_W > 1 || !SHI_KN(shi_unit)(v, u, &i))) return 0;
-    if (planes == SH_VALUES) SHI_BN(shi_values)(n, u, y, ys);
-    else if (planes == SH_GRADIENT) SHI_BN(shi_gradient)(n, u, i, y, ys, g, gs);
-    else SHI_BN(shi_hessian)(n, u, i, y, ys, g, gs, h, hs);
-    return 1;
-}
-
-/* dirs[blocks][3][8] to y[blocks][N][8], g[blocks][3 N][8], h[blocks][6 N][8]; `all`: no output is NULL */
-SHI_KERNEL int SHI_BN(shi_blocks)(int n, int planes, int all, size_t blocks, const SHI_T *SHI_RESTRICT dirs,
-                                  SHI_T *SHI_RESTRICT y, SHI_T *SHI_RESTRICT g, SHI_T *SHI_RESTRICT h)
-{
-    const int size = n * n * SH_BLOCK;
-    const int ys = all || y ? SH_BLOCK : 0, gs = all || g ? SH_BLOCK : 0, hs = all || h ? SH_BLOCK : 0;
-    SHI_T discard[SH_BLOCK];
     int status = SH_OK, i, k;
     size_t b;
     for (b = 0; b < blocks; b++, dirs += 3 * SH_BLOCK) {
-        SHI_T *const yb = ys ? y + b * (size_t)size : discard, *const gb = gs ? g + b * 3 * (size_t)size : discard;
-        SHI_T *const hb = hs ? h + b * 6 * (size_t)size : discard;
+        SHI_T *const yb = y + b * yn, *const gb = g + b * gn, *const hb = h + b * hn;
         for (i = 0; i < SH_BLOCK; i += SHI_W) {
             const int yi = ys ? i : 0, gi = gs ? i : 0, hi = hs ? i : 0;
-            SHI_V v[3];
+            SHI_V v[3], u[3], inverse;
             for (k = 0; k < 3; k++) v[k] = SHI_LOAD(dirs + k * SH_BLOCK + i);
-            if (!SHI_BN(shi_basis)(n, planes, v, yb + yi, ys, gb + gi, gs, hb + hi, hs)) {
-                const int bad = SHI_FN(shi_one_by_one)(n, planes, SHI_W, dirs + i, SH_BLOCK, 1,
-                                                       yb + yi, ys, 1, gb + gi, gs, 1, hb + hi, hs, 1);
+            if (planes == SH_VALUES && SHI_KN(shi_nearly_unit)(v, u)) inverse = u[0];
+            else if (!SHI_KN(shi_unit)(v, u, &inverse)) {
+                const int bad = SHI_FN(shi_one_by_one)(n, planes, SHI_W, dirs + i, SH_BLOCK, 1, yb + yi, ys, ys != 0,
+                                                       gb + gi, gs, gs != 0, hb + hi, hs, hs != 0);
                 status = bad ? bad : status;
+                continue;
             }
-        }
-    }
-    return status;
-}
-
-/* dirs[count][3] to y[count][N], g[count][3 N], h[count][6 N], by way of a block that is transposed */
-SHI_KERNEL int SHI_BN(shi_plain)(int n, int planes, size_t count, const SHI_T *dirs, SHI_T *y, SHI_T *g, SHI_T *h)
-{
-    const int size = n * n;
-    const size_t stride = (size_t)size;
-    SHI_T block[SHI_STAGE / sizeof(SHI_T)];
-    SHI_T *const gb = block + size * SHI_W, *const hb = gb + 3 * size * SHI_W;
-    int status = SH_OK;
-    size_t p;
-    for (p = 0; p < count; p += SHI_W) {
-        const int lanes = count - p < SHI_W ? (int)(count - p) : SHI_W;
-        SHI_V v[3];
-        SHI_KN(shi_load3)(dirs + 3 * p, lanes, v);
-        if (SHI_BN(shi_basis)(n, planes, v, block, SHI_W, gb, SHI_W, hb, SHI_W)) {
-            if (y) SHI_KN(shi_scatter)(block, size, y + p * stride, stride, lanes);
-            if (g) SHI_KN(shi_scatter)(gb, 3 * size, g + p * 3 * stride, 3 * stride, lanes);
-            if (h) SHI_KN(shi_scatter)(hb, 6 * size, h + p * 6 * stride, 6 * stride, lanes);
-        } else {
-            const int bad = SHI_FN(shi_one_by_one)(n, planes, (size_t)lanes, dirs + 3 * p, 1, 3, y ? y + p * stride : block, y != 0, size,
-                                                   g ? g + p * 3 * stride : block, g != 0, 3 * size,
-                                                   h ? h + p * 6 * stride : block, h != 0, 6 * size);
-            status = bad ? bad : status;
+            if (planes == SH_VALUES) SHI_BN(shi_values)(n, u, yb + yi, ys);
+            else if (planes == SH_GRADIENT) SHI_BN(shi_gradient)(n, u, inverse, yb + yi, ys, gb + gi, gs);
+            else SHI_BN(shi_hessian)(n, u, inverse, yb + yi, ys, gb + gi, gs, hb + hi, hs);
         }
     }
     return status;
 }
 
 /* y, dtheta, dphi [N] from cosine and sine of theta and phi (M22 Eq. 31-33: X and Z share the norm, which is applied last) */
-SHI_KERNEL void SHI_BN(shi_angles)(int n, SHI_V ct, SHI_V st, SHI_V cp, SHI_V sp, SHI_T *y, int ys, SHI_T *dt, int ts, SHI_T *dp, int ps)
+SHI_KERNEL void SHI_BN(shi_angles)(int n, SHI_V ct, SHI_V st, SHI_V cp, SHI_V sp, SHI_T *y, SHI_T *dt, SHI_T *dp, int stride)
 {
     const SHI_V x = -(st * cp), v = -(st * sp);
     SHI_V c = SHI_SPLAT(1), s = SHI_SPLAT(0), c1 = c, s1 = s;       /* U_m, V_m, and the two over sin(theta) */
@@ -1448,61 +1520,35 @@ SHI_KERNEL void SHI_BN(shi_angles)(int n, SHI_V ct, SHI_V st, SHI_V cp, SHI_V sp
             q = norm * q1;
             t = norm * t1;
             if (m == 0) {
-                SHI_STORE(y + at * ys, q);
-                SHI_STORE(dt + at * ts, t);
-                SHI_STORE(dp + at * ps, SHI_SPLAT(0));
+                SHI_STORE(y + at * stride, q);
+                SHI_STORE(dt + at * stride, t);
+                SHI_STORE(dp + at * stride, SHI_SPLAT(0));
             } else {
                 const SHI_V w = SHI_C(m) * (ct * q), yc = q * c, s_ = q * s;
-                SHI_STORE(y + (at + m) * ys, yc);
-                SHI_STORE(y + (at - m) * ys, s_);
-                SHI_STORE(dt + (at + m) * ts, w * c1 + t * c);
-                SHI_STORE(dt + (at - m) * ts, w * s1 + t * s);
-                SHI_STORE(dp + (at + m) * ps, SHI_C(-m) * s_);
-                SHI_STORE(dp + (at - m) * ps, SHI_C(m) * yc);
+                SHI_STORE(y + (at + m) * stride, yc);
+                SHI_STORE(y + (at - m) * stride, s_);
+                SHI_STORE(dt + (at + m) * stride, w * c1 + t * c);
+                SHI_STORE(dt + (at - m) * stride, w * s1 + t * s);
+                SHI_STORE(dp + (at + m) * stride, SHI_C(-m) * s_);
+                SHI_STORE(dp + (at - m) * stride, SHI_C(m) * yc);
             }
         }
     }
 }
 
-/* theta[count], phi[count] to y, dt, dp [count][N] */
-SHI_KERNEL int SHI_BN(shi_angles_plain)(int n, size_t count, const SHI_T *theta, const SHI_T *phi, SHI_T *y, SHI_T *dt, SHI_T *dp)
+#if SHI_LANES == 1
+/* one direction; 0, and nothing written, when it is not valid */
+SHI_KERNEL int SHI_BN(shi_one)(int n, int planes, const SHI_T v[3], SHI_T *y, int ys, SHI_T *g, int gs, SHI_T *h, int hs)
 {
-    const int size = n * n;
-    const size_t stride = (size_t)size;
-    SHI_T block[SHI_STAGE / sizeof(SHI_T)], *const tb = block + size * SHI_W, *const pb = tb + size * SHI_W;
-    int status = SH_OK, i;
-    size_t p;
-    for (p = 0; p < count; p += SHI_W) {
-        const int lanes = count - p < SHI_W ? (int)(count - p) : SHI_W;
-        SHI_T a[4][SHI_W];
-        int good = 1;
-        for (i = 0; i < SHI_W; i++) {
-            const size_t at = p + (size_t)(i < lanes ? i : lanes - 1);
-            a[0][i] = SHI_LIBM(cos)(theta[at]);
-            a[1][i] = SHI_LIBM(sin)(theta[at]);
-            a[2][i] = SHI_LIBM(cos)(phi[at]);
-            a[3][i] = SHI_LIBM(sin)(phi[at]);
-        }
-        SHI_BN(shi_angles)(n, SHI_LOAD(a[0]), SHI_LOAD(a[1]), SHI_LOAD(a[2]), SHI_LOAD(a[3]), block, SHI_W, tb, SHI_W, pb, SHI_W);
-        for (i = 0; i < lanes; i++)
-            if (!SHI_FN(shi_finite)(theta + p + i, 1) || !SHI_FN(shi_finite)(phi + p + i, 1)) good = 0;
-        if (good) {
-            if (y) SHI_KN(shi_scatter)(block, size, y + p * stride, stride, lanes);
-            if (dt) SHI_KN(shi_scatter)(tb, size, dt + p * stride, stride, lanes);
-            if (dp) SHI_KN(shi_scatter)(pb, size, dp + p * stride, stride, lanes);
-        } else if (count == 1) {
-            status = SH_ERROR_NOT_FINITE;
-        } else {
-            for (i = 0; i < lanes; i++) {
-                const size_t at = p + (size_t)i;
-                const int bad = SHI_FN(shi_angles_one)(n, theta + at, phi + at, y ? y + at * stride : NULL,
-                                                       dt ? dt + at * stride : NULL, dp ? dp + at * stride : NULL);
-                status = bad ? bad : status;
-            }
-        }
-    }
-    return status;
+    SHI_T u[3], inverse;
+    if (planes == SH_VALUES && SHI_KN(shi_nearly_unit)(v, u)) inverse = u[0];
+    else if (!SHI_KN(shi_unit)(v, u, &inverse)) return 0;
+    if (planes == SH_VALUES) SHI_BN(shi_values)(n, u, y, ys);
+    else if (planes == SH_GRADIENT) SHI_BN(shi_gradient)(n, u, inverse, y, ys, g, gs);
+    else SHI_BN(shi_hessian)(n, u, inverse, y, ys, g, gs, h, hs);
+    return 1;
 }
+#endif
 
 /* ================================================================================================================
  * Public functions: once per precision. They check, and call a kernel.
@@ -1528,20 +1574,14 @@ SHI_INLINE int SHI_FN(shi_check_basis)(int bands, size_t count, const SHI_T *v, 
     return SH_OK;
 }
 
-/* plain layout: through the transposing kernel while its block fits SHI_STAGE, else one by one */
+/* plain layout: through blocks while one fits SHI_STAGE, else one by one */
 SHI_NOINLINE int SHI_FN(shi_batch)(int n, int planes, size_t count, const SHI_T *dirs, SHI_T *y, SHI_T *g, SHI_T *h)
 {
-    const size_t block = (size_t)(n * n * planes) * sizeof(SHI_T) * (SH_VECTOR_BYTES ? SH_VECTOR_BYTES / sizeof(SHI_T) : 1);
-    if (block <= SHI_STAGE) {
-        if (planes == SH_VALUES) return SHI_MANY(shi_plain_values)(n, count, dirs, y);
-        if (planes == SH_GRADIENT) return SHI_MANY(shi_plain_gradient)(n, count, dirs, y, g);
-        return SHI_MANY(shi_plain_hessian)(n, count, dirs, y, g, h);
-    } else {
-        SHI_T discard;
-        const int s = n * n;
-        return SHI_FN(shi_one_by_one)(n, planes, count, dirs, 1, 3, y ? y : &discard, y != NULL, y ? s : 0,
-                                      g ? g : &discard, g != NULL, g ? 3 * s : 0, h ? h : &discard, h != NULL, h ? 6 * s : 0);
-    }
+    SHI_T discard;
+    const int s = n * n;
+    if ((size_t)(s * planes * SH_BLOCK) * sizeof(SHI_T) <= SHI_STAGE) return SHI_MANY(shi_plain)(n, planes, count, dirs, y, g, h);
+    return SHI_FN(shi_one_by_one)(n, planes, count, dirs, 1, 3, y ? y : &discard, y != NULL, y ? s : 0,
+                                  g ? g : &discard, g != NULL, g ? 3 * s : 0, h ? h : &discard, h != NULL, h ? 6 * s : 0);
 }
 
 /* f_l, df_l/dd and d2f_l/dd2 of a sphere with s = r/d, alpha = cos of the half-angle, i = 1/d; with i = 0 the second is the
@@ -1633,7 +1673,7 @@ SHI_NOINLINE int SHI_FN(shi_light_field)(int n, size_t count, const SHI_T *dirs,
         for (i = 0; i < size; i++) sum[0][i] += power * y[i];
         if (!grad) continue;
         if (depth[t] <= 0) return SH_ERROR_RADIUS;
-        if (!SHI_FN(shi_finite)(a, 3) || depth[t] != depth[t]) return SH_ERROR_NOT_FINITE;
+        if (!SHI_FN(shi_finite)(a, 3) || SHI_FN(shi_is_nan)(depth[t])) return SH_ERROR_NOT_FINITE;
         if (!SHI_FN(shi_finite)(depth + t, 1)) continue;
         (void)SHI_ONE(shi_unit)(w, u, &inverse);
         least = SHI_C(1e-3) * SHI_LIBM(sqrt)(a[0] * a[0] + a[1] * a[1] + a[2] * a[2]);
@@ -1899,7 +1939,7 @@ SH_API int SHI_FN(sh_eval_hessian_blocks)(int bands, size_t blocks, const SHI_T 
 SH_API int SHI_FN(sh_eval_angles)(int bands, SHI_T theta, SHI_T phi, SHI_T *y, SHI_T *dtheta, SHI_T *dphi)
 {
     if (bands < 1 || bands > SH_MAX_BANDS) return SH_ERROR_BANDS;
-    return SHI_FN(shi_angles_one)(bands, &theta, &phi, y, dtheta, dphi);
+    return SHI_ONE(shi_angles)(bands, 1, &theta, &phi, y, dtheta, dphi);
 }
 
 /* Many: theta[count], phi[count]; y, dtheta, dphi [count][N] or NULL. */
@@ -1914,8 +1954,8 @@ SH_API int SHI_FN(sh_eval_angles_n)(int bands, size_t count, const SHI_T *theta,
     if (shi_overlap(theta, in, y, out) || shi_overlap(theta, in, dtheta, out) || shi_overlap(theta, in, dphi, out)
         || shi_overlap(phi, in, y, out) || shi_overlap(phi, in, dtheta, out) || shi_overlap(phi, in, dphi, out))
         return SH_ERROR_OVERLAP;
-    return size * 3 * SH_VECTOR_BYTES > SHI_STAGE ? SHI_ONE(shi_angles_batch)(bands, count, theta, phi, y, dtheta, dphi)
-                                                  : SHI_MANY(shi_angles_batch)(bands, count, theta, phi, y, dtheta, dphi);
+    return size * 3 * SH_VECTOR_BYTES > SHI_STAGE ? SHI_ONE(shi_angles)(bands, count, theta, phi, y, dtheta, dphi)
+                                                  : SHI_MANY(shi_angles)(bands, count, theta, phi, y, dtheta, dphi);
 }
 
 /* ---- sums over directions ---- */
@@ -1937,7 +1977,7 @@ SH_API int SHI_FN(sh_reconstruct_n)(int bands, const SHI_T *coeffs, size_t count
     if (shi_overlap(dirs, 3 * count * item, values, count * item) || shi_overlap(dirs, 3 * count * item, grads, 3 * count * item)
         || shi_overlap(coeffs, size * item, values, count * item) || shi_overlap(coeffs, size * item, grads, 3 * count * item))
         return SH_ERROR_OVERLAP;
-    if (bands <= SHI_HORNER_BANDS) SHI_FN(shi_horner_form)(bands, coeffs, a);
+    if (bands <= SHI_UNROLLED_BANDS) SHI_FN(shi_horner_form)(bands, coeffs, a);
     else SHI_FN(shi_forward_form)(bands, coeffs, a);
     if (grads) return SHI_WIDE(shi_sum_gradient)(bands, a, count, dirs, values, grads);
     return values ? SHI_WIDE(shi_sum_values)(bands, a, count, dirs, values) : SH_OK;
@@ -2160,6 +2200,13 @@ SHI_INLINE int SHI_FN(shi_finite)(const SHI_T *v, size_t count)
     return 1;
 }
 
+SHI_INLINE int SHI_FN(shi_is_nan)(SHI_T v)
+{
+    SHI_I bits, infinity = SHI_BITS == 32 ? (SHI_I)0x7f800000 : (SHI_I)(0x7ff00000LL << (SHI_BITS == 64 ? 32 : 0));
+    memcpy(&bits, &v, sizeof bits);
+    return (bits & (SHI_I)(((unsigned long long)1 << (SHI_BITS - 1)) - 1)) > infinity;
+}
+
 /* why a direction was refused */
 SHI_INLINE int SHI_FN(shi_direction_status)(const SHI_T v[3])
 {
@@ -2168,10 +2215,9 @@ SHI_INLINE int SHI_FN(shi_direction_status)(const SHI_T v[3])
 
 SHI_NOINLINE int SHI_FN(shi_one_by_one)(int n, int planes, size_t count, const SHI_T *dirs, int axis, int next,
                                         SHI_T *y, int ys, int y_next, SHI_T *g, int gs, int g_next, SHI_T *h, int hs, int h_next);
-SHI_NOINLINE int SHI_FN(shi_angles_one)(int n, const SHI_T *theta, const SHI_T *phi, SHI_T *y, SHI_T *dt, SHI_T *dp);
 
 /* BEGIN tools/gen_gradient.py */
-/* [l(l+1)/2 + m]: q_l = z q_{l-1} - beta q_{l-2}; (l,l) holds -1, the seed of a column */
+/* [l(l+1)/2 + m]: monic q_l = z q_{l-1} - beta q_{l-2}; (l,l) holds -1, the seed of a column */
 static const SHI_T SHI_FN(shi_beta)[595] = {
     SHI_C(-1.0), SHI_C(0.0), SHI_C(-1.0), SHI_C(0.3333333333333333), SHI_C(0.0), SHI_C(-1.0),
     SHI_C(0.26666666666666666), SHI_C(0.2), SHI_C(0.0), SHI_C(-1.0), SHI_C(0.2571428571428571),
@@ -2359,7 +2405,7 @@ static const SHI_T SHI_FN(shi_beta)[595] = {
     SHI_C(0.05860805860805861), SHI_C(0.04468864468864469), SHI_C(0.03028083028083028),
     SHI_C(0.015384615384615385), SHI_C(0.0), SHI_C(-1.0)
 };
-/* [l(l+1)/2 + m]: Y_lm = norm q_l^m(z) Re or Im (x+iy)^m */
+/* [l(l+1)/2 + m]: times monic q_l^m it is the normalised one */
 static const SHI_T SHI_FN(shi_norm)[595] = {
     SHI_C(0.28209479177387814), SHI_C(0.4886025119029199), SHI_C(0.4886025119029199),
     SHI_C(0.94617469575756), SHI_C(1.0925484305920792), SHI_C(0.5462742152960396), SHI_C(1.865881662950577),
@@ -2540,6 +2586,358 @@ static const SHI_T SHI_FN(shi_norm)[595] = {
     SHI_C(9736.26621008456), SHI_C(3053.5367247193763), SHI_C(867.1461595561958), SHI_C(218.5002941457552),
     SHI_C(47.30670136614906), SHI_C(8.298144360028767), SHI_C(1.0214309616376818)
 };
+/* [l(l+1)/2 + m]: norm included, q_l^m at z = 1 */
+static const SHI_T SHI_FN(shi_pole)[595] = {
+    SHI_C(0.28209479177387814), SHI_C(0.4886025119029199), SHI_C(0.4886025119029199),
+    SHI_C(0.63078313050504), SHI_C(1.0925484305920792), SHI_C(0.5462742152960396),
+    SHI_C(0.7463526651802308), SHI_C(1.8281831978578629), SHI_C(1.4453057213202771),
+    SHI_C(0.5900435899266435), SHI_C(0.8462843753216345), SHI_C(2.676186174229157),
+    SHI_C(2.8385240872726802), SHI_C(1.7701307697799304), SHI_C(0.6258357354491761),
+    SHI_C(0.9356025796273888), SHI_C(3.6235732095655755), SHI_C(4.793536784973324),
+    SHI_C(3.913906395482003), SHI_C(2.075662314881041), SHI_C(0.6563820568401701),
+    SHI_C(1.0171072362820548), SHI_C(4.660970900149851), SHI_C(7.369642076119388), SHI_C(7.369642076119388),
+    SHI_C(5.045649007287242), SHI_C(2.366619162231752), SHI_C(0.6831841051919143),
+    SHI_C(1.0925484305920792), SHI_C(5.7812228852811085), SHI_C(10.620784618679583),
+    SHI_C(12.516714708983523), SHI_C(10.378311574405206), SHI_C(6.226986944643124), SHI_C(2.6459606618019),
+    SHI_C(0.7071627325245962), SHI_C(1.1631066229203195), SHI_C(6.978639737521918),
+    SHI_C(14.596872269917103), SHI_C(19.764258484728707), SHI_C(19.13666099037323),
+    SHI_C(13.799642488392433), SHI_C(7.452658724833596), SHI_C(2.9157066406993195),
+    SHI_C(0.7289266601748299), SHI_C(1.2296226898414837), SHI_C(8.248559763485094),
+    SHI_C(19.34458735524795), SHI_C(29.549345281036445), SHI_C(32.621593909833386),
+    SHI_C(27.29318362618504), SHI_C(17.617674274865937), SHI_C(8.71848770150485), SHI_C(3.1773176489546975),
+    SHI_C(0.7489009518531883), SHI_C(1.2927207364566027), SHI_C(9.587073569946648),
+    SHI_C(24.907947778572495), SHI_C(42.3353705888304), SHI_C(52.387348347963126), SHI_C(49.69900240686679),
+    SHI_C(37.043449265226606), SHI_C(21.819150579676887), SHI_C(10.021084788967531),
+    SHI_C(3.4318952998917145), SHI_C(0.76739511822199), SHI_C(1.3528790949515024),
+    SHI_C(10.990841724215146), SHI_C(31.328719087760867), SHI_C(58.61066659644311),
+    SHI_C(80.25596051321608), SHI_C(84.93492509943577), SHI_C(71.48339129009707), SHI_C(48.43935671780333),
+    SHI_C(26.392782602877844), SHI_C(11.357645275668748), SHI_C(3.680297698805311),
+    SHI_C(0.7846421057871968), SHI_C(1.4104739588693906), SHI_C(12.456968712917199),
+    SHI_C(38.6467290864053), SHI_C(78.88730540772507), SHI_C(118.3309581115876), SHI_C(137.99642488392433),
+    SHI_C(129.0838356288327), SHI_C(98.44558672009957), SHI_C(61.52849170006223), SHI_C(31.32877451244415),
+    SHI_C(12.725808365463825), SHI_C(3.9232105289359844), SHI_C(0.8008219957839717),
+    SHI_C(1.4658075357087597), SHI_C(13.982912700449553), SHI_C(46.900114982475536),
+    SHI_C(103.7000560142647), SHI_C(169.01041364696098), SHI_C(215.11513724563713),
+    SHI_C(221.00979404793313), SHI_C(186.78736777628384), SHI_C(131.04268769928626),
+    SHI_C(76.35485019278295), SHI_C(36.618499751236875), SHI_C(14.123557904169544),
+    SHI_C(4.161193153549645), SHI_C(0.8160771188376283), SHI_C(1.5191269449366245),
+    SHI_C(15.56641901200821), SHI_C(56.125521923153094), SHI_C(133.60546594293683),
+    SHI_C(234.99944364648877), SHI_C(323.92437879372795), SHI_C(362.1584652760835),
+    SHI_C(335.2935864553778), SHI_C(260.05524896906616), SHI_C(169.71985893297423),
+    SHI_C(92.95939519418467), SHI_C(42.25427054281121), SHI_C(15.549150542301232), SHI_C(4.394709780272119),
+    SHI_C(0.830522083064524), SHI_C(1.5706373285785544), SHI_C(17.205469890442554), SHI_C(66.3582654082746),
+    SHI_C(169.18104510248065), SHI_C(319.32222002745056), SHI_C(473.63139301272145),
+    SHI_C(571.9642462474885), SHI_C(574.8750245688748), SHI_C(487.37401446041935),
+    SHI_C(350.94940120667343), SHI_C(214.9117396229112), SHI_C(111.3804927651582), SHI_C(48.22916811032794),
+    SHI_C(17.00106258233293), SHI_C(4.624151256630012), SHI_C(0.8442506508573726),
+    SHI_C(1.6205112036071436), SHI_C(18.898245746582223), SHI_C(77.63246619509357),
+    SHI_C(211.0245344348222), SHI_C(425.3335469570598), SHI_C(675.1960737008361), SHI_C(875.2988242980541),
+    SHI_C(948.1831372824154), SHI_C(870.9618258949689), SHI_C(684.292236938833), SHI_C(461.5803492549397),
+    SHI_C(267.043577744146), SHI_C(131.65425929156103), SHI_C(54.536914142021175),
+    SHI_C(18.477949847767984), SHI_C(4.849850753230681), SHI_C(0.8573405888380251),
+    SHI_C(1.6688952945311364), SHI_C(20.64309473234451), SHI_C(89.98116382022654), SHI_C(259.753245768018),
+    SHI_C(556.7300472679734), SHI_C(941.515941563742), SHI_C(1303.4697979185264), SHI_C(1512.776956796169),
+    SHI_C(1494.9439922793847), SHI_C(1270.4580980601472), SHI_C(933.5922239502468),
+    SHI_C(594.1041425137934), SHI_C(326.53216138832585), SHI_C(153.81484230952415),
+    SHI_C(61.17177124894914), SHI_C(19.97861682962398), SHI_C(5.07209532485536), SHI_C(0.8698571719206281),
+    SHI_C(1.7159156293944244), SHI_C(22.438508472516858), SHI_C(103.43641320885615),
+    SHI_C(316.0034620962089), SHI_C(717.5609954337152), SHI_C(1287.6171708160753),
+    SHI_C(1895.3211566708655), SHI_C(2344.8518142958224), SHI_C(2478.4401508842157),
+    SHI_C(2262.495963442987), SHI_C(1795.8004984672882), SHI_C(1243.3099217931067),
+    SHI_C(750.7196870408015), SHI_C(393.7865959756465), SHI_C(177.89465076107692), SHI_C(68.12846438540069),
+    SHI_C(21.5019925782306), SHI_C(5.291134612069973), SHI_C(0.8818557686783288), SHI_C(1.761681409986482),
+    SHI_C(24.28310244090471), SHI_C(118.0293677042838), SHI_C(380.4298896428338), SHI_C(912.2388285797407),
+    SHI_C(1730.8514810135314), SHI_C(2698.4388455595404), SHI_C(3543.5853260086496),
+    SHI_C(3986.5334917597306), SHI_C(3886.8543799264003), SHI_C(3309.537249192998),
+    SHI_C(2471.874826754456), SHI_C(1621.9634874530138), SHI_C(933.6664098317219), SHI_C(469.2089617599075),
+    SHI_C(203.92454613652174), SHI_C(75.40211779225258), SHI_C(23.04711159078965), SHI_C(5.507187510272245),
+    SHI_C(0.8933837843499495), SHI_C(1.8062879984608917), SHI_C(26.175599897817232),
+    SHI_C(133.79035104979422), SHI_C(453.7051546889372), SHI_C(1145.549362585313), SHI_C(2291.098725170626),
+    SHI_C(3770.4645433901796), SHI_C(5236.157789625546), SHI_C(6243.7202254106405),
+    SHI_C(6470.838360426909), SHI_C(5877.4308159762495), SHI_C(4703.765817907495), SHI_C(3326.064706955877),
+    SHI_C(2078.5444165856766), SHI_C(1145.2221958394873), SHI_C(553.1948766002785),
+    SHI_C(231.9340029155307), SHI_C(82.98820367274519), SHI_C(24.613098461372573), SHI_C(5.720447362900643),
+    SHI_C(0.904482145093491), SHI_C(1.8498192550829797), SHI_C(28.114818599199573),
+    SHI_C(150.74892027770738), SHI_C(536.5193394047704), SHI_C(1422.6617367406502),
+    SHI_C(2990.9750189464603), SHI_C(5180.520696984555), SHI_C(7583.505789147919), SHI_C(9550.212976588746),
+    SHI_C(10477.866365876765), SHI_C(10104.488395286995), SHI_C(8617.13665712856), SHI_C(6522.41921281544),
+    SHI_C(4388.297615531721), SHI_C(2622.5094281787074), SHI_C(1387.701551576613), SHI_C(646.1339825495625),
+    SHI_C(261.9512445836877), SHI_C(90.8824998946166), SHI_C(26.199155407759154), SHI_C(5.93108606277937),
+    SHI_C(0.9151864484003309), SHI_C(1.89234939151512), SHI_C(30.099659691608046),
+    SHI_C(168.93392103673065), SHI_C(629.5795519061858), SHI_C(1749.1381074694978),
+    SHI_C(3856.0462676619436), SHI_C(7010.749772439945), SHI_C(10786.86941319138),
+    SHI_C(14301.503455952587), SHI_C(16552.13634319374), SHI_C(16879.93324111864),
+    SHI_C(15268.474103737706), SHI_C(12303.259839645363), SHI_C(8852.804434693895),
+    SHI_C(5691.088565160361), SHI_C(3263.772997403756), SHI_C(1663.4539590061363), SHI_C(748.4103703178348),
+    SHI_C(294.00335997893126), SHI_C(99.08105474567313), SHI_C(27.804552028387583),
+    SHI_C(6.1392573321292305), SHI_C(0.9255278664595892), SHI_C(1.9339444569737623),
+    SHI_C(32.129098351712784), SHI_C(188.37353657223827), SHI_C(733.6095265360458), SHI_C(2130.94310916991),
+    SHI_C(4915.046958436878), SHI_C(9357.970610030445), SHI_C(15095.195057327646), SHI_C(21011.62227253919),
+    SHI_C(25574.53219655039), SHI_C(27485.186648786166), SHI_C(26265.589012280678),
+    SHI_C(22428.516453980792), SHI_C(17166.22469588462), SHI_C(11792.818746938858),
+    SHI_C(7269.581701810495), SHI_C(4012.7004492889328), SHI_C(1974.8623908090442),
+    SHI_C(860.4029524543647), SHI_C(328.1164036197347), SHI_C(107.58015727757363),
+    SHI_C(29.428616809782657), SHI_C(6.345099375493046), SHI_C(0.9355338639199108),
+    SHI_C(1.974663542417147), SHI_C(34.20217583320439), SHI_C(209.09533133415002), SHI_C(849.3492509943578),
+    SHI_C(2574.453098162397), SHI_C(6200.1040940374705), SHI_C(12335.454700113949),
+    SHI_C(20813.45730818855), SHI_C(30340.56708236595), SHI_C(38731.841852475714), SHI_C(43734.40700339513),
+    SHI_C(44004.653078765245), SHI_C(39665.2582586231), SHI_C(32146.109771564275), SHI_C(23472.4559623257),
+    SHI_C(15451.462126870229), SHI_C(9161.59003138866), SHI_C(4880.101541879104), SHI_C(2324.341963722574),
+    SHI_C(982.485793739322), SHI_C(364.31548285612706), SHI_C(116.37631213170847), SHI_C(31.07073002369884),
+    SHI_C(6.548737047439375), SHI_C(0.9452287742977996), SHI_C(2.014559765517849), SHI_C(36.31799266030658),
+    SHI_C(231.12629000267438), SHI_C(977.554617445119), SHI_C(3086.46519398688), SHI_C(7746.966153292691),
+    SHI_C(16074.825132918499), SHI_C(28311.964898468697), SHI_C(43126.404402349675),
+    SHI_C(57601.61566873468), SHI_C(68155.15078633507), SHI_C(71990.11744192665), SHI_C(68269.46826041739),
+    SHI_C(58360.1832240766), SHI_C(45090.13565568889), SHI_C(31527.288827252632), SHI_C(19949.341989823308),
+    SHI_C(11407.63345940336), SHI_C(5877.224479942147), SHI_C(2714.338710957975), SHI_C(1115.0284055258833),
+    SHI_C(402.6248340801036), SHI_C(125.46621799986224), SHI_C(32.730317739094495),
+    SHI_C(6.750283640247019), SHI_C(0.9546342673902561), SHI_C(2.0536810833075387),
+    SHI_C(38.475702763812706), SHI_C(254.49285257872236), SHI_C(1118.9970951395135),
+    SHI_C(3674.2061307983636), SHI_C(9595.236970324737), SHI_C(20728.080914817085),
+    SHI_C(38036.71718003076), SHI_C(60422.58533576947), SHI_C(84255.26975047054), SHI_C(104218.01300882958),
+    SHI_C(115260.62263858928), SHI_C(114658.73537773007), SHI_C(103045.75861215677),
+    SHI_C(83921.60116448501), SHI_C(62049.03875940346), SHI_C(41677.92294725746), SHI_C(25419.170733068117),
+    SHI_C(14050.975300595026), SHI_C(7015.750309997262), SHI_C(3147.3284580673526),
+    SHI_C(1258.3960094484348), SHI_C(443.0678897752418), SHI_C(134.8467490620301), SHI_C(34.40684673698957),
+    SHI_C(6.949842370673866), SHI_C(0.9637697316868012), SHI_C(2.0920709679710012),
+    SHI_C(40.67450839826158), SHI_C(279.2209460729475), SHI_C(1274.4634224340575), SHI_C(4345.340930329528),
+    SHI_C(11788.614431470163), SHI_C(26469.749287219252), SHI_C(50520.87898917242),
+    SHI_C(83541.05113858654), SHI_C(121382.33318342076), SHI_C(156625.54675744908),
+    SHI_C(180948.99620128985), SHI_C(188337.68651487574), SHI_C(177435.08896065454),
+    SHI_C(151822.94919773508), SHI_C(118253.08788588208), SHI_C(83943.55596397362),
+    SHI_C(54316.41856492411), SHI_C(32006.256580853933), SHI_C(17137.657393888898),
+    SHI_C(8307.787655165723), SHI_C(3625.8157892777726), SHI_C(1412.9497748954632),
+    SHI_C(485.66733783607214), SHI_C(144.51493888488542), SHI_C(36.09982016299105),
+    SHI_C(7.1475076260442485), SHI_C(0.9726525898033295), SHI_C(2.129768972944957),
+    SHI_C(42.913655711397055), SHI_C(305.3360132376932), SHI_C(1444.755316363585),
+    SHI_C(5107.9814067800335), SHI_C(14375.133894747672), SHI_C(33499.168631131324),
+    SHI_C(66397.44317567266), SHI_C(114101.74098901838), SHI_C(172439.05167305598),
+    SHI_C(231672.36328085116), SHI_C(279010.21525002405), SHI_C(303154.0110556776),
+    SHI_C(298635.81474855304), SHI_C(267703.5521695175), SHI_C(218943.0303632911),
+    SHI_C(163636.11531056257), SHI_C(111839.99107692095), SHI_C(69882.73303389449),
+    SHI_C(39868.988156941865), SHI_C(20716.533940255547), SHI_C(9765.86775455731), SHI_C(4152.333093420091),
+    SHI_C(1579.0470338547868), SHI_C(530.4451743176498), SHI_C(154.46796637084205),
+    SHI_C(37.80877378739469), SHI_C(7.343366016052452), SHI_C(0.9812985606338352),
+    SHI_C(2.1668112103298047), SHI_C(45.192430862111706), SHI_C(332.8630387142), SHI_C(1630.6891981641456),
+    SHI_C(5970.694513028188), SHI_C(17407.416242142077), SHI_C(42042.90449043634), SHI_C(86413.15143722593),
+    SHI_C(154089.1514907636), SHI_C(241824.8929819722), SHI_C(337690.08541589946), SHI_C(423157.8727700245),
+    SHI_C(478982.18902094045), SHI_C(492260.6517536544), SHI_C(461138.42311534635),
+    SHI_C(394895.35305836744), SHI_C(309743.58428249706), SHI_C(222778.86887535182),
+    SHI_C(146964.0277105162), SHI_C(88867.79620743275), SHI_C(49179.31316465315), SHI_C(24839.304166302205),
+    SHI_C(11402.939776956675), SHI_C(4729.439680276338), SHI_C(1757.0414761164798),
+    SHI_C(577.4227505647024), SHI_C(164.70314342894468), SHI_C(39.53327276946922), SHI_C(7.537497266402169),
+    SHI_C(0.9897218787411788), SHI_C(2.203230756026887), SHI_C(47.51015660257084), SHI_C(361.8265729092416),
+    SHI_C(1833.0959333388234), SHI_C(6942.510536717584), SHI_C(20942.920479893808),
+    SHI_C(52357.301199734524), SHI_C(111443.74544486178), SHI_C(205916.6353289771),
+    SHI_C(335090.8522697984), SHI_C(485592.77844433574), SHI_C(632057.3192168361), SHI_C(743955.0031556517),
+    SHI_C(796056.3319708634), SHI_C(777564.7582666423), SHI_C(695475.0625569616), SHI_C(570894.855260007),
+    SHI_C(430715.1610297111), SHI_C(298868.3687233766), SHI_C(190715.07346467485),
+    SHI_C(111816.62327682426), SHI_C(60123.211515047835), SHI_C(29560.543904055263),
+    SHI_C(13232.36638272004), SHI_C(5359.72095954611), SHI_C(1947.2833273240233), SHI_C(626.6208155031848),
+    SHI_C(175.2179041016068), SHI_C(41.27290884303532), SHI_C(7.7299749826760165),
+    SHI_C(0.9979354791501392), SHI_C(2.2390579955406924), SHI_C(49.866189255524354),
+    SHI_C(392.2507538679096), SHI_C(2052.8205850271543), SHI_C(8032.931154030308),
+    SHI_C(25044.200806470097), SHI_C(64731.17155791516), SHI_C(142510.6215643569),
+    SHI_C(272499.16509408475), SHI_C(459183.82833699655), SHI_C(689540.6241876013),
+    SHI_C(930832.3524181645), SHI_C(1137390.124993435), SHI_C(1264850.6377532918), SHI_C(1285652.865605452),
+    SHI_C(1198411.1580832058), SHI_C(1026986.621135634), SHI_C(810498.3165325059), SHI_C(589673.5858653295),
+    SHI_C(395625.93697072973), SHI_C(244681.12895464106), SHI_C(139331.46375981023),
+    SHI_C(72901.1632100667), SHI_C(34937.73616696059), SHI_C(15267.919511226073), SHI_C(6045.787675759078),
+    SHI_C(2150.119511966915), SHI_C(678.0595537444761), SHI_C(186.00979493021674), SHI_C(43.02729785635452),
+    SHI_C(7.920867306958054), SHI_C(1.0059511539353299), SHI_C(2.274320920733615), SHI_C(52.25991602994521),
+    SHI_C(424.1593273702995), SHI_C(2290.722179581669), SHI_C(9251.937348304236), SHI_C(29779.168071999076),
+    SHI_C(79488.62694628163), SHI_C(180798.96377477574), SHI_C(357335.32757910335),
+    SHI_C(622731.7352260756), SHI_C(967741.9469824046), SHI_C(1352952.2007584965),
+    SHI_C(1713591.0978505595), SHI_C(1977220.4975198763), SHI_C(2087626.4421379848),
+    SHI_C(2024028.9306724048), SHI_C(1806807.2182121372), SHI_C(1487958.885586466),
+    SHI_C(1131928.675383272), SHI_C(795947.7719865455), SHI_C(517366.0517912546), SHI_C(310654.17559712665),
+    SHI_C(172074.98543942595), SHI_C(87728.61125831201), SHI_C(41031.30079326034), SHI_C(17523.776374091),
+    SHI_C(6790.275193389851), SHI_C(2365.8938030861436), SHI_C(731.7586200459924),
+    SHI_C(197.07646638124527), SHI_C(44.79607761178913), SHI_C(8.11023748522498), SHI_C(1.0137796856531225),
+    SHI_C(2.309045385777095), SHI_C(54.69075262782123), SHI_C(457.57566544761477), SHI_C(2547.673483377462),
+    SHI_C(10609.997200071912), SHI_C(35221.35555671562), SHI_C(96992.05024982932),
+    SHI_C(227677.43065931185), SHI_C(464599.3538292608), SHI_C(836374.4280042456),
+    SHI_C(1343416.2550208059), SHI_C(1942576.6952881964), SHI_C(2546739.532834241),
+    SHI_C(3044386.203249274), SHI_C(3333539.7686791406), SHI_C(3355689.778255769), SHI_C(3114340.684563985),
+    SHI_C(2670525.1052723792), SHI_C(2119040.433992173), SHI_C(1557409.9622483694),
+    SHI_C(1060583.6060156827), SHI_C(669058.6276484414), SHI_C(390646.0764048518),
+    SHI_C(210773.49214221828), SHI_C(104836.41987581781), SHI_C(47904.62322031859),
+    SHI_C(20014.515636768214), SHI_C(7595.8428272034225), SHI_C(2594.9469602010818),
+    SHI_C(787.7371705858482), SHI_C(208.4156651851819), SHI_C(46.578905960516), SHI_C(8.298144360028767),
+    SHI_C(1.0214309616376818)
+};
+/* [l(l+1)/2 + m]: norm included, d q_l^m / dz = slope q_l^{m+1} */
+static const SHI_T SHI_FN(shi_slope)[595] = {
+    SHI_C(0.0), SHI_C(1.0), SHI_C(0.0), SHI_C(1.7320508075688772), SHI_C(2.0), SHI_C(0.0),
+    SHI_C(2.449489742783178), SHI_C(3.1622776601683795), SHI_C(2.449489742783178), SHI_C(0.0),
+    SHI_C(3.1622776601683795), SHI_C(4.242640687119285), SHI_C(3.7416573867739413),
+    SHI_C(2.8284271247461903), SHI_C(0.0), SHI_C(3.872983346207417), SHI_C(5.291502622129181),
+    SHI_C(4.898979485566356), SHI_C(4.242640687119285), SHI_C(3.1622776601683795), SHI_C(0.0),
+    SHI_C(4.58257569495584), SHI_C(6.324555320336759), SHI_C(6.0), SHI_C(5.477225575051661),
+    SHI_C(4.69041575982343), SHI_C(3.4641016151377544), SHI_C(0.0), SHI_C(5.291502622129181),
+    SHI_C(7.3484692283495345), SHI_C(7.0710678118654755), SHI_C(6.6332495807108), SHI_C(6.0),
+    SHI_C(5.0990195135927845), SHI_C(3.7416573867739413), SHI_C(0.0), SHI_C(6.0), SHI_C(8.366600265340756),
+    SHI_C(8.12403840463596), SHI_C(7.745966692414834), SHI_C(7.211102550927978), SHI_C(6.48074069840786),
+    SHI_C(5.477225575051661), SHI_C(4.0), SHI_C(0.0), SHI_C(6.708203932499369), SHI_C(9.38083151964686),
+    SHI_C(9.16515138991168), SHI_C(8.831760866327848), SHI_C(8.366600265340756), SHI_C(7.745966692414834),
+    SHI_C(6.928203230275509), SHI_C(5.830951894845301), SHI_C(4.242640687119285), SHI_C(0.0),
+    SHI_C(7.416198487095663), SHI_C(10.392304845413264), SHI_C(10.198039027185569),
+    SHI_C(9.899494936611665), SHI_C(9.486832980505138), SHI_C(8.94427190999916), SHI_C(8.246211251235321),
+    SHI_C(7.3484692283495345), SHI_C(6.164414002968976), SHI_C(4.47213595499958), SHI_C(0.0),
+    SHI_C(8.12403840463596), SHI_C(11.40175425099138), SHI_C(11.224972160321824), SHI_C(10.954451150103322),
+    SHI_C(10.583005244258363), SHI_C(10.099504938362077), SHI_C(9.486832980505138),
+    SHI_C(8.717797887081348), SHI_C(7.745966692414834), SHI_C(6.48074069840786), SHI_C(4.69041575982343),
+    SHI_C(0.0), SHI_C(8.831760866327848), SHI_C(12.409673645990857), SHI_C(12.24744871391589), SHI_C(12.0),
+    SHI_C(11.661903789690601), SHI_C(11.224972160321824), SHI_C(10.677078252031311), SHI_C(10.0),
+    SHI_C(9.16515138991168), SHI_C(8.12403840463596), SHI_C(6.782329983125268), SHI_C(4.898979485566356),
+    SHI_C(0.0), SHI_C(9.539392014169456), SHI_C(13.416407864998739), SHI_C(13.2664991614216),
+    SHI_C(13.038404810405298), SHI_C(12.727922061357855), SHI_C(12.328828005937952),
+    SHI_C(11.832159566199232), SHI_C(11.224972160321824), SHI_C(10.488088481701515),
+    SHI_C(9.591663046625438), SHI_C(8.48528137423857), SHI_C(7.0710678118654755), SHI_C(5.0990195135927845),
+    SHI_C(0.0), SHI_C(10.246950765959598), SHI_C(14.422205101855956), SHI_C(14.2828568570857),
+    SHI_C(14.071247279470288), SHI_C(13.784048752090222), SHI_C(13.416407864998739),
+    SHI_C(12.96148139681572), SHI_C(12.409673645990857), SHI_C(11.74734012447073),
+    SHI_C(10.954451150103322), SHI_C(10.0), SHI_C(8.831760866327848), SHI_C(7.3484692283495345),
+    SHI_C(5.291502622129181), SHI_C(0.0), SHI_C(10.954451150103322), SHI_C(15.427248620541512),
+    SHI_C(15.297058540778355), SHI_C(15.0996688705415), SHI_C(14.832396974191326),
+    SHI_C(14.491376746189438), SHI_C(14.071247279470288), SHI_C(13.564659966250536),
+    SHI_C(12.96148139681572), SHI_C(12.24744871391589), SHI_C(11.40175425099138), SHI_C(10.392304845413264),
+    SHI_C(9.16515138991168), SHI_C(7.615773105863909), SHI_C(5.477225575051661), SHI_C(0.0),
+    SHI_C(11.661903789690601), SHI_C(16.431676725154983), SHI_C(16.30950643030009), SHI_C(16.1245154965971),
+    SHI_C(15.874507866387544), SHI_C(15.556349186104045), SHI_C(15.165750888103101),
+    SHI_C(14.696938456699069), SHI_C(14.142135623730951), SHI_C(13.490737563232042),
+    SHI_C(12.727922061357855), SHI_C(11.832159566199232), SHI_C(10.770329614269007),
+    SHI_C(9.486832980505138), SHI_C(7.874007874011811), SHI_C(5.656854249492381), SHI_C(0.0),
+    SHI_C(12.36931687685298), SHI_C(17.435595774162696), SHI_C(17.320508075688775),
+    SHI_C(17.146428199482248), SHI_C(16.911534525287763), SHI_C(16.61324772583615),
+    SHI_C(16.24807680927192), SHI_C(15.811388300841896), SHI_C(15.297058540778355),
+    SHI_C(14.696938456699069), SHI_C(14.0), SHI_C(13.19090595827292), SHI_C(12.24744871391589),
+    SHI_C(11.135528725660043), SHI_C(9.797958971132712), SHI_C(8.12403840463596), SHI_C(5.830951894845301),
+    SHI_C(0.0), SHI_C(13.076696830622021), SHI_C(18.439088914585774), SHI_C(18.33030277982336),
+    SHI_C(18.16590212458495), SHI_C(17.944358444926362), SHI_C(17.663521732655695),
+    SHI_C(17.320508075688775), SHI_C(16.911534525287763), SHI_C(16.431676725154983),
+    SHI_C(15.874507866387544), SHI_C(15.231546211727817), SHI_C(14.491376746189438),
+    SHI_C(13.638181696985855), SHI_C(12.649110640673518), SHI_C(11.489125293076057),
+    SHI_C(10.099504938362077), SHI_C(8.366600265340756), SHI_C(6.0), SHI_C(0.0), SHI_C(13.784048752090222),
+    SHI_C(19.44222209522358), SHI_C(19.339079605813716), SHI_C(19.183326093250876),
+    SHI_C(18.973665961010276), SHI_C(18.708286933869708), SHI_C(18.384776310850235), SHI_C(18.0),
+    SHI_C(17.549928774784245), SHI_C(17.029386365926403), SHI_C(16.431676725154983),
+    SHI_C(15.748015748023622), SHI_C(14.966629547095765), SHI_C(14.071247279470288),
+    SHI_C(13.038404810405298), SHI_C(11.832159566199232), SHI_C(10.392304845413264),
+    SHI_C(8.602325267042627), SHI_C(6.164414002968976), SHI_C(0.0), SHI_C(14.491376746189438),
+    SHI_C(20.445048300260872), SHI_C(20.346989949375804), SHI_C(20.199009876724155), SHI_C(20.0),
+    SHI_C(19.748417658131498), SHI_C(19.44222209522358), SHI_C(19.078784028338912),
+    SHI_C(18.65475810617763), SHI_C(18.16590212458495), SHI_C(17.60681686165901), SHI_C(16.97056274847714),
+    SHI_C(16.24807680927192), SHI_C(15.427248620541512), SHI_C(14.491376746189438),
+    SHI_C(13.416407864998739), SHI_C(12.165525060596439), SHI_C(10.677078252031311),
+    SHI_C(8.831760866327848), SHI_C(6.324555320336759), SHI_C(0.0), SHI_C(15.198684153570664),
+    SHI_C(21.447610589527216), SHI_C(21.354156504062622), SHI_C(21.213203435596427),
+    SHI_C(21.02379604162864), SHI_C(20.784609690826528), SHI_C(20.493901531919196),
+    SHI_C(20.149441679609886), SHI_C(19.748417658131498), SHI_C(19.28730152198591),
+    SHI_C(18.76166303929372), SHI_C(18.16590212458495), SHI_C(17.4928556845359), SHI_C(16.73320053068151),
+    SHI_C(15.874507866387544), SHI_C(14.89966442575134), SHI_C(13.784048752090222),
+    SHI_C(12.489995996796797), SHI_C(10.954451150103322), SHI_C(9.055385138137417), SHI_C(6.48074069840786),
+    SHI_C(0.0), SHI_C(15.905973720586866), SHI_C(22.44994432064365), SHI_C(22.360679774997898),
+    SHI_C(22.22611077089287), SHI_C(22.045407685048602), SHI_C(21.817424229271428),
+    SHI_C(21.540659228538015), SHI_C(21.213203435596427), SHI_C(20.83266665599966),
+    SHI_C(20.396078054371138), SHI_C(19.8997487421324), SHI_C(19.339079605813716),
+    SHI_C(18.708286933869708), SHI_C(18.0), SHI_C(17.204650534085253), SHI_C(16.30950643030009),
+    SHI_C(15.297058540778355), SHI_C(14.142135623730951), SHI_C(12.806248474865697),
+    SHI_C(11.224972160321824), SHI_C(9.273618495495704), SHI_C(6.6332495807108), SHI_C(0.0),
+    SHI_C(16.61324772583615), SHI_C(23.45207879911715), SHI_C(23.366642891095847), SHI_C(23.2379000772445),
+    SHI_C(23.065125189341593), SHI_C(22.847319317591726), SHI_C(22.58317958127243),
+    SHI_C(22.271057451320086), SHI_C(21.908902300206645), SHI_C(21.494185260204677),
+    SHI_C(21.02379604162864), SHI_C(20.493901531919196), SHI_C(19.8997487421324), SHI_C(19.235384061671343),
+    SHI_C(18.49324200890693), SHI_C(17.663521732655695), SHI_C(16.73320053068151),
+    SHI_C(15.684387141358123), SHI_C(14.491376746189438), SHI_C(13.114877048604), SHI_C(11.489125293076057),
+    SHI_C(9.486832980505138), SHI_C(6.782329983125268), SHI_C(0.0), SHI_C(17.320508075688775),
+    SHI_C(24.454038521274967), SHI_C(24.372115213907882), SHI_C(24.24871130596428),
+    SHI_C(24.08318915758459), SHI_C(23.874672772626646), SHI_C(23.62202362203543),
+    SHI_C(23.323807579381203), SHI_C(22.978250586152114), SHI_C(22.58317958127243),
+    SHI_C(22.135943621178654), SHI_C(21.633307652783937), SHI_C(21.071307505705477),
+    SHI_C(20.445048300260872), SHI_C(19.748417658131498), SHI_C(18.973665961010276),
+    SHI_C(18.110770276274835), SHI_C(17.146428199482248), SHI_C(16.06237840420901),
+    SHI_C(14.832396974191326), SHI_C(13.416407864998739), SHI_C(11.74734012447073),
+    SHI_C(9.695359714832659), SHI_C(6.928203230275509), SHI_C(0.0), SHI_C(18.027756377319946),
+    SHI_C(25.45584412271571), SHI_C(25.37715508089904), SHI_C(25.25866188063018), SHI_C(25.099800796022265),
+    SHI_C(24.899799195977465), SHI_C(24.657656011875904), SHI_C(24.372115213907882),
+    SHI_C(24.041630560342615), SHI_C(23.664319132398465), SHI_C(23.2379000772445),
+    SHI_C(22.759613353482084), SHI_C(22.22611077089287), SHI_C(21.633307652783937),
+    SHI_C(20.97617696340303), SHI_C(20.248456731316587), SHI_C(19.44222209522358),
+    SHI_C(18.547236990991408), SHI_C(17.549928774784245), SHI_C(16.431676725154983),
+    SHI_C(15.165750888103101), SHI_C(13.711309200802088), SHI_C(12.0), SHI_C(9.899494936611665),
+    SHI_C(7.0710678118654755), SHI_C(0.0), SHI_C(18.734993995195193), SHI_C(26.457513110645905),
+    SHI_C(26.38181191654584), SHI_C(26.267851073127396), SHI_C(26.115129714401192),
+    SHI_C(25.92296279363144), SHI_C(25.69046515733026), SHI_C(25.41653005427767), SHI_C(25.099800796022265),
+    SHI_C(24.73863375370596), SHI_C(24.331050121192877), SHI_C(23.874672772626646),
+    SHI_C(23.366642891095847), SHI_C(22.80350850198276), SHI_C(22.181073012818835),
+    SHI_C(21.494185260204677), SHI_C(20.73644135332772), SHI_C(19.8997487421324), SHI_C(18.973665961010276),
+    SHI_C(17.944358444926362), SHI_C(16.792855623746664), SHI_C(15.491933384829668), SHI_C(14.0),
+    SHI_C(12.24744871391589), SHI_C(10.099504938362077), SHI_C(7.211102550927978), SHI_C(0.0),
+    SHI_C(19.44222209522358), SHI_C(27.459060435491963), SHI_C(27.386127875258307),
+    SHI_C(27.27636339397171), SHI_C(27.129319932501073), SHI_C(26.94438717061496),
+    SHI_C(26.720778431774775), SHI_C(26.457513110645905), SHI_C(26.153393661244042),
+    SHI_C(25.80697580112788), SHI_C(25.41653005427767), SHI_C(24.979991993593593), SHI_C(24.49489742783178),
+    SHI_C(23.958297101421877), SHI_C(23.366642891095847), SHI_C(22.715633383201094), SHI_C(22.0),
+    SHI_C(21.213203435596427), SHI_C(20.346989949375804), SHI_C(19.390719429665317),
+    SHI_C(18.33030277982336), SHI_C(17.146428199482248), SHI_C(15.811388300841896), SHI_C(14.2828568570857),
+    SHI_C(12.489995996796797), SHI_C(10.295630140987), SHI_C(7.3484692283495345), SHI_C(0.0),
+    SHI_C(20.149441679609886), SHI_C(28.460498941515414), SHI_C(28.39013913315678),
+    SHI_C(28.284271247461902), SHI_C(28.142494558940577), SHI_C(27.964262908219126),
+    SHI_C(27.748873851023216), SHI_C(27.49545416973504), SHI_C(27.202941017470888),
+    SHI_C(26.870057685088806), SHI_C(26.49528259898354), SHI_C(26.076809620810597),
+    SHI_C(25.612496949731394), SHI_C(25.099800796022265), SHI_C(24.535688292770594),
+    SHI_C(23.916521486202797), SHI_C(23.2379000772445), SHI_C(22.494443758403985), SHI_C(21.6794833886788),
+    SHI_C(20.784609690826528), SHI_C(19.79898987322333), SHI_C(18.708286933869708), SHI_C(17.4928556845359),
+    SHI_C(16.1245154965971), SHI_C(14.560219778561036), SHI_C(12.727922061357855),
+    SHI_C(10.488088481701515), SHI_C(7.483314773547883), SHI_C(0.0), SHI_C(20.85665361461421),
+    SHI_C(29.46183972531247), SHI_C(29.393876913398138), SHI_C(29.29163703175362),
+    SHI_C(29.154759474226502), SHI_C(28.982753492378876), SHI_C(28.77498913987632),
+    SHI_C(28.53068523537421), SHI_C(28.24889378365107), SHI_C(27.92848008753788), SHI_C(27.568097504180443),
+    SHI_C(27.16615541441225), SHI_C(26.720778431774775), SHI_C(26.229754097208), SHI_C(25.69046515733026),
+    SHI_C(25.099800796022265), SHI_C(24.454038521274967), SHI_C(23.748684174075834),
+    SHI_C(22.978250586152114), SHI_C(22.135943621178654), SHI_C(21.213203435596427),
+    SHI_C(20.199009876724155), SHI_C(19.078784028338912), SHI_C(17.832554500127006),
+    SHI_C(16.431676725154983), SHI_C(14.832396974191326), SHI_C(12.96148139681572),
+    SHI_C(10.677078252031311), SHI_C(7.615773105863909), SHI_C(0.0), SHI_C(21.563858652847824),
+    SHI_C(30.463092423455635), SHI_C(30.397368307141328), SHI_C(30.298514815086232),
+    SHI_C(30.166206257996713), SHI_C(30.0), SHI_C(29.79932885150268), SHI_C(29.563490998188964),
+    SHI_C(29.29163703175362), SHI_C(28.982753492378876), SHI_C(28.635642126552707),
+    SHI_C(28.24889378365107), SHI_C(27.820855486487112), SHI_C(27.349588662354687),
+    SHI_C(26.832815729997478), SHI_C(26.267851073127396), SHI_C(25.65151067676132),
+    SHI_C(24.979991993593593), SHI_C(24.24871130596428), SHI_C(23.45207879911715), SHI_C(22.58317958127243),
+    SHI_C(21.633307652783937), SHI_C(20.591260281974), SHI_C(19.44222209522358), SHI_C(18.16590212458495),
+    SHI_C(16.73320053068151), SHI_C(15.0996688705415), SHI_C(13.19090595827292), SHI_C(10.862780491200215),
+    SHI_C(7.745966692414834), SHI_C(0.0), SHI_C(22.271057451320086), SHI_C(31.464265445104548),
+    SHI_C(31.400636936215164), SHI_C(31.304951684997057), SHI_C(31.176914536239792),
+    SHI_C(31.016124838541646), SHI_C(30.822070014844883), SHI_C(30.59411708155671),
+    SHI_C(30.331501776206203), SHI_C(30.033314835362415), SHI_C(29.698484809834994),
+    SHI_C(29.32575659723036), SHI_C(28.91366458960192), SHI_C(28.460498941515414),
+    SHI_C(27.964262908219126), SHI_C(27.422618401604176), SHI_C(26.832815729997478),
+    SHI_C(26.19160170741759), SHI_C(25.495097567963924), SHI_C(24.73863375370596),
+    SHI_C(23.916521486202797), SHI_C(23.021728866442675), SHI_C(22.045407685048602),
+    SHI_C(20.97617696340303), SHI_C(19.79898987322333), SHI_C(18.49324200890693), SHI_C(17.029386365926403),
+    SHI_C(15.362291495737216), SHI_C(13.416407864998739), SHI_C(11.045361017187261),
+    SHI_C(7.874007874011811), SHI_C(0.0), SHI_C(22.978250586152114), SHI_C(32.46536616149585),
+    SHI_C(32.4037034920393), SHI_C(32.31098884280702), SHI_C(32.18695387886216), SHI_C(32.03123475609393),
+    SHI_C(31.843366656181317), SHI_C(31.622776601683793), SHI_C(31.368774282716245),
+    SHI_C(31.080540535840107), SHI_C(30.757112998459398), SHI_C(30.397368307141328), SHI_C(30.0),
+    SHI_C(29.563490998188964), SHI_C(29.086079144497972), SHI_C(28.5657137141714), SHI_C(28.0),
+    SHI_C(27.386127875258307), SHI_C(26.720778431774775), SHI_C(26.0), SHI_C(25.219040425836983),
+    SHI_C(24.372115213907882), SHI_C(23.45207879911715), SHI_C(22.44994432064365),
+    SHI_C(21.354156504062622), SHI_C(20.149441679609886), SHI_C(18.81488772222678),
+    SHI_C(17.320508075688775), SHI_C(15.620499351813308), SHI_C(13.638181696985855),
+    SHI_C(11.224972160321824), SHI_C(8.0), SHI_C(0.0), SHI_C(23.68543856465402), SHI_C(33.46640106136302),
+    SHI_C(33.406586176980134), SHI_C(33.31666249791537), SHI_C(33.19638534539566), SHI_C(33.04542328371661),
+    SHI_C(32.863353450309965), SHI_C(32.64965543462902), SHI_C(32.4037034920393), SHI_C(32.12475680841802),
+    SHI_C(31.811947441173732), SHI_C(31.464265445104548), SHI_C(31.080540535840107),
+    SHI_C(30.659419433511783), SHI_C(30.199337741083), SHI_C(29.698484809834994), SHI_C(29.154759474226502),
+    SHI_C(28.5657137141714), SHI_C(27.92848008753788), SHI_C(27.23967694375247), SHI_C(26.49528259898354),
+    SHI_C(25.69046515733026), SHI_C(24.819347291981714), SHI_C(23.874672772626646),
+    SHI_C(22.847319317591726), SHI_C(21.72556098240043), SHI_C(20.493901531919196),
+    SHI_C(19.131126469708992), SHI_C(17.60681686165901), SHI_C(15.874507866387544),
+    SHI_C(13.856406460551018), SHI_C(11.40175425099138), SHI_C(8.12403840463596), SHI_C(0.0)
+};
 /* [k]: sqrt(k) */
 static const SHI_T SHI_FN(shi_root)[72] = {
     SHI_C(0.0), SHI_C(1.0), SHI_C(1.4142135623730951), SHI_C(1.7320508075688772), SHI_C(2.0),
@@ -2577,7 +2975,7 @@ static const SHI_T SHI_FN(shi_inverse_root)[36] = {
     SHI_C(0.014707472779848216), SHI_C(0.014287172234821078)
 };
 /* [l]: 1/l, l >= 1 */
-static const SHI_T SHI_FN(shi_reciprocal)[36] = {
+static const SHI_T SHI_FN(shi_reciprocal)[68] = {
     SHI_C(0.0), SHI_C(1.0), SHI_C(0.5), SHI_C(0.3333333333333333), SHI_C(0.25), SHI_C(0.2),
     SHI_C(0.16666666666666666), SHI_C(0.14285714285714285), SHI_C(0.125), SHI_C(0.1111111111111111),
     SHI_C(0.1), SHI_C(0.09090909090909091), SHI_C(0.08333333333333333), SHI_C(0.07692307692307693),
@@ -2586,7 +2984,17 @@ static const SHI_T SHI_FN(shi_reciprocal)[36] = {
     SHI_C(0.045454545454545456), SHI_C(0.043478260869565216), SHI_C(0.041666666666666664), SHI_C(0.04),
     SHI_C(0.038461538461538464), SHI_C(0.037037037037037035), SHI_C(0.03571428571428571),
     SHI_C(0.034482758620689655), SHI_C(0.03333333333333333), SHI_C(0.03225806451612903), SHI_C(0.03125),
-    SHI_C(0.030303030303030304), SHI_C(0.029411764705882353), SHI_C(0.02857142857142857)
+    SHI_C(0.030303030303030304), SHI_C(0.029411764705882353), SHI_C(0.02857142857142857),
+    SHI_C(0.027777777777777776), SHI_C(0.02702702702702703), SHI_C(0.02631578947368421),
+    SHI_C(0.02564102564102564), SHI_C(0.025), SHI_C(0.024390243902439025), SHI_C(0.023809523809523808),
+    SHI_C(0.023255813953488372), SHI_C(0.022727272727272728), SHI_C(0.022222222222222223),
+    SHI_C(0.021739130434782608), SHI_C(0.02127659574468085), SHI_C(0.020833333333333332),
+    SHI_C(0.02040816326530612), SHI_C(0.02), SHI_C(0.0196078431372549), SHI_C(0.019230769230769232),
+    SHI_C(0.018867924528301886), SHI_C(0.018518518518518517), SHI_C(0.01818181818181818),
+    SHI_C(0.017857142857142856), SHI_C(0.017543859649122806), SHI_C(0.017241379310344827),
+    SHI_C(0.01694915254237288), SHI_C(0.016666666666666666), SHI_C(0.01639344262295082),
+    SHI_C(0.016129032258064516), SHI_C(0.015873015873015872), SHI_C(0.015625), SHI_C(0.015384615384615385),
+    SHI_C(0.015151515151515152), SHI_C(0.014925373134328358)
 };
 /* [l]: Y_l0(+z) = sqrt((2l+1)/(4 pi)) */
 static const SHI_T SHI_FN(shi_zonal)[34] = {
@@ -2602,48 +3010,62 @@ static const SHI_T SHI_FN(shi_zonal)[34] = {
     SHI_C(2.129768972944957), SHI_C(2.1668112103298047), SHI_C(2.203230756026887),
     SHI_C(2.2390579955406924), SHI_C(2.274320920733615), SHI_C(2.309045385777095)
 };
-/* m, then d = l-m, then k <= d/2 for 10 bands: norm q_l^m = z^(d&1) sum_k c_k (z^2 - 1/2)^k */
-static const SHI_T SHI_FN(shi_horner)[125] = {
-    SHI_C(0.28209479177387814), SHI_C(0.4886025119029199), SHI_C(0.15769578262626), SHI_C(0.94617469575756),
-    SHI_C(-0.1865881662950577), SHI_C(1.865881662950577), SHI_C(-0.343803027474414),
-    SHI_C(0.5289277345760215), SHI_C(3.7024941420321507), SHI_C(-0.4970388704270503),
-    SHI_C(-0.8186522571739652), SHI_C(7.367870314565686), SHI_C(-0.1509768553856175),
-    SHI_C(-2.3361681833353445), SHI_C(2.0024298714302953), SHI_C(14.684485723822167),
-    SHI_C(0.1963172961220142), SHI_C(-3.840990576300278), SHI_C(-3.3800717071442445),
-    SHI_C(29.29395479525012), SHI_C(0.3470010481466383), SHI_C(-1.104042614725147),
+/* [5 (l(l+1)/2 + m) + k]: q_l^m = z^((l-m)&1) sum_k c_k (z^2 - 1/2)^k, norm included */
+static const SHI_T SHI_FN(shi_horner)[275] = {
+    SHI_C(0.28209479177387814), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.4886025119029199),
+    SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.4886025119029199), SHI_C(0.0), SHI_C(0.0),
+    SHI_C(0.0), SHI_C(0.0), SHI_C(0.15769578262626), SHI_C(0.94617469575756), SHI_C(0.0), SHI_C(0.0),
+    SHI_C(0.0), SHI_C(1.0925484305920792), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0),
+    SHI_C(0.5462742152960396), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(-0.1865881662950577),
+    SHI_C(1.865881662950577), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.6855686991966986),
+    SHI_C(2.2852289973223288), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(1.4453057213202771), SHI_C(0.0),
+    SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.5900435899266435), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0),
+    SHI_C(0.0), SHI_C(-0.343803027474414), SHI_C(0.5289277345760215), SHI_C(3.7024941420321507), SHI_C(0.0),
+    SHI_C(0.0), SHI_C(0.3345232717786446), SHI_C(4.683325804901024), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0),
+    SHI_C(1.18271836969695), SHI_C(3.3116114351514603), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0),
+    SHI_C(1.7701307697799304), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.6258357354491761),
+    SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(-0.4970388704270503), SHI_C(-0.8186522571739652),
+    SHI_C(7.367870314565686), SHI_C(0.0), SHI_C(0.0), SHI_C(-0.3397099883967727), SHI_C(3.1706265583698783),
+    SHI_C(9.511879675109636), SHI_C(0.0), SHI_C(0.0), SHI_C(1.198384196243331), SHI_C(7.190305177459986),
+    SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(1.7123340480233764), SHI_C(4.403144694917254), SHI_C(0.0),
+    SHI_C(0.0), SHI_C(0.0), SHI_C(2.075662314881041), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0),
+    SHI_C(0.6563820568401701), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(-0.1509768553856175),
+    SHI_C(-2.3361681833353445), SHI_C(2.0024298714302953), SHI_C(14.684485723822167), SHI_C(0.0),
+    SHI_C(-1.0195873844077799), SHI_C(1.7478640875561942), SHI_C(19.226504963118135), SHI_C(0.0),
+    SHI_C(0.0), SHI_C(0.11515065743936544), SHI_C(6.909039446361926), SHI_C(15.199886781996238), SHI_C(0.0),
+    SHI_C(0.0), SHI_C(2.3030131487873087), SHI_C(10.133257854664159), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0),
+    SHI_C(2.2705420532792586), SHI_C(5.550213908015966), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0),
+    SHI_C(2.366619162231752), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.6831841051919143),
+    SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.1963172961220142), SHI_C(-3.840990576300278),
+    SHI_C(-3.3800717071442445), SHI_C(29.29395479525012), SHI_C(0.0), SHI_C(-0.6887785078166945),
+    SHI_C(-3.455183990031287), SHI_C(13.414243726003821), SHI_C(38.75225965289993), SHI_C(0.0),
+    SHI_C(-0.9403819714455881), SHI_C(7.301789425342213), SHI_C(31.64108750981626), SHI_C(0.0), SHI_C(0.0),
+    SHI_C(0.8996388697081907), SHI_C(12.04733790739664), SHI_C(22.373627542308046), SHI_C(0.0), SHI_C(0.0),
+    SHI_C(3.6324090510418223), SHI_C(13.491805046726768), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0),
+    SHI_C(2.854035682961432), SHI_C(6.745902523363384), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0),
+    SHI_C(2.6459606618019), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.7071627325245962),
+    SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.3470010481466383), SHI_C(-1.104042614725147),
     SHI_C(-13.044059040641551), SHI_C(7.796449081762767), SHI_C(58.47336811322075),
-    SHI_C(0.49653220922798197), SHI_C(1.6378958485779138), SHI_C(-22.666365130320163),
-    SHI_C(-13.737190988072825), SHI_C(116.76612339861902), SHI_C(0.4886025119029199),
-    SHI_C(1.0925484305920792), SHI_C(0.6855686991966986), SHI_C(2.2852289973223288),
-    SHI_C(0.3345232717786446), SHI_C(4.683325804901024), SHI_C(-0.3397099883967727),
-    SHI_C(3.1706265583698783), SHI_C(9.511879675109636), SHI_C(-1.0195873844077799),
-    SHI_C(1.7478640875561942), SHI_C(19.226504963118135), SHI_C(-0.6887785078166945),
-    SHI_C(-3.455183990031287), SHI_C(13.414243726003821), SHI_C(38.75225965289993),
     SHI_C(-0.3680142049083823), SHI_C(-8.6960393604277), SHI_C(7.796449081762767), SHI_C(77.96449081762766),
-    SHI_C(0.31818174868912225), SHI_C(-6.025315139733252), SHI_C(-23.037969651921255),
-    SHI_C(55.29112716461101), SHI_C(156.65819363306454), SHI_C(0.5462742152960396),
-    SHI_C(1.4453057213202771), SHI_C(1.18271836969695), SHI_C(3.3116114351514603), SHI_C(1.198384196243331),
-    SHI_C(7.190305177459986), SHI_C(0.11515065743936544), SHI_C(6.909039446361926),
-    SHI_C(15.199886781996238), SHI_C(-0.9403819714455881), SHI_C(7.301789425342213),
-    SHI_C(31.64108750981626), SHI_C(-1.08336161378291), SHI_C(-1.254418710696001),
-    SHI_C(32.614886478096025), SHI_C(65.22977295619205), SHI_C(-1.2846015040594343),
-    SHI_C(-9.82342326633685), SHI_C(35.36432375881266), SHI_C(133.59855642218116),
-    SHI_C(0.5900435899266435), SHI_C(1.7701307697799304), SHI_C(1.7123340480233764),
-    SHI_C(4.403144694917254), SHI_C(2.3030131487873087), SHI_C(10.133257854664159),
-    SHI_C(0.8996388697081907), SHI_C(12.04733790739664), SHI_C(22.373627542308046),
-    SHI_C(-0.30881653882388604), SHI_C(16.058460018842073), SHI_C(48.17538005652622),
-    SHI_C(-1.2119848650425105), SHI_C(4.501658070157895), SHI_C(63.023212982210545),
-    SHI_C(102.03758292357897), SHI_C(0.6258357354491761), SHI_C(2.075662314881041),
-    SHI_C(2.2705420532792586), SHI_C(5.550213908015966), SHI_C(3.6324090510418223),
-    SHI_C(13.491805046726768), SHI_C(2.0332702302271555), SHI_C(18.658244465613897),
-    SHI_C(31.097074109356495), SHI_C(1.0194248096822933), SHI_C(28.543894671104216),
-    SHI_C(69.32088705839595), SHI_C(0.6563820568401701), SHI_C(2.366619162231752), SHI_C(2.854035682961432),
-    SHI_C(6.745902523363384), SHI_C(5.174865933147162), SHI_C(17.24955311049054), SHI_C(3.5334925230328844),
-    SHI_C(26.80580534714602), SHI_C(41.427153718316575), SHI_C(0.6831841051919143), SHI_C(2.6459606618019),
-    SHI_C(3.4601629793870265), SHI_C(7.9849914908931385), SHI_C(6.921229179411617),
-    SHI_C(21.392890190908638), SHI_C(0.7071627325245962), SHI_C(2.9157066406993195),
-    SHI_C(4.086791110080399), SHI_C(9.263393182848905), SHI_C(0.7289266601748299),
-    SHI_C(3.1773176489546975), SHI_C(0.7489009518531883)
+    SHI_C(0.0), SHI_C(-1.08336161378291), SHI_C(-1.254418710696001), SHI_C(32.614886478096025),
+    SHI_C(65.22977295619205), SHI_C(0.0), SHI_C(-0.30881653882388604), SHI_C(16.058460018842073),
+    SHI_C(48.17538005652622), SHI_C(0.0), SHI_C(0.0), SHI_C(2.0332702302271555), SHI_C(18.658244465613897),
+    SHI_C(31.097074109356495), SHI_C(0.0), SHI_C(0.0), SHI_C(5.174865933147162), SHI_C(17.24955311049054),
+    SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(3.4601629793870265), SHI_C(7.9849914908931385), SHI_C(0.0),
+    SHI_C(0.0), SHI_C(0.0), SHI_C(2.9157066406993195), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0),
+    SHI_C(0.7289266601748299), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.49653220922798197),
+    SHI_C(1.6378958485779138), SHI_C(-22.666365130320163), SHI_C(-13.737190988072825),
+    SHI_C(116.76612339861902), SHI_C(0.31818174868912225), SHI_C(-6.025315139733252),
+    SHI_C(-23.037969651921255), SHI_C(55.29112716461101), SHI_C(156.65819363306454),
+    SHI_C(-1.2846015040594343), SHI_C(-9.82342326633685), SHI_C(35.36432375881266),
+    SHI_C(133.59855642218116), SHI_C(0.0), SHI_C(-1.2119848650425105), SHI_C(4.501658070157895),
+    SHI_C(63.023212982210545), SHI_C(102.03758292357897), SHI_C(0.0), SHI_C(1.0194248096822933),
+    SHI_C(28.543894671104216), SHI_C(69.32088705839595), SHI_C(0.0), SHI_C(0.0), SHI_C(3.5334925230328844),
+    SHI_C(26.80580534714602), SHI_C(41.427153718316575), SHI_C(0.0), SHI_C(0.0), SHI_C(6.921229179411617),
+    SHI_C(21.392890190908638), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(4.086791110080399),
+    SHI_C(9.263393182848905), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(3.1773176489546975), SHI_C(0.0),
+    SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.7489009518531883), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0),
+    SHI_C(0.0)
 };
 /* END tools/gen_gradient.py */
 

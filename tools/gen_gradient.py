@@ -30,6 +30,17 @@ def norm2(l, m):
     return (2 if m else 1) * (2 * l + 1) * Fraction(factorial(l - m), factorial(l + m)) * lead ** 2
 
 
+def slope2(l, m):
+    """Square of J_lm / J_l,m+1: the derivative of column m from column m+1."""
+    return Fraction((l - m) * (l + m + 1), 1 if m else 2)
+
+
+def pole(l, m):
+    """J_lm Q_l^m(1) = M_l sqrt((2 if m) (l+m)!/(l-m)!) / (2^m m!)."""
+    v = (2 if m else 1) * (2 * l + 1) * Fraction(factorial(l + m), factorial(l - m)) / Fraction(2 ** m * factorial(m)) ** 2
+    return sqrt(frac(v) / (4 * pi))
+
+
 def norm(l, m):
     v = norm2(l, m)
     return sqrt(mpf(v.numerator) / v.denominator / (4 * pi))
@@ -84,19 +95,23 @@ def frac(f):
 
 
 def block():
+    low = [(l, m) for l in range(HORNER_BANDS) for m in range(l + 1)]
+    padded = {m: horner(m) for m in range(HORNER_BANDS)}
     pairs = [(l, m) for l in range(TOP + 1) for m in range(l + 1)]
-    flat = [v for m in range(HORNER_BANDS) for row in horner(m) for v in row]
+    flat = [v for l, m in low for v in (padded[m][l - m] + [mpf(0)] * HORNER_BANDS)[:HORNER_BANDS // 2]]
     return "\n".join([
-        table("shi_beta", len(pairs), "[l(l+1)/2 + m]: q_l = z q_{l-1} - beta q_{l-2}; (l,l) holds -1, the seed of a column",
+        table("shi_beta", len(pairs), "[l(l+1)/2 + m]: monic q_l = z q_{l-1} - beta q_{l-2}; (l,l) holds -1, the seed of a column",
               [frac(beta(l, m)) for l, m in pairs]),
-        table("shi_norm", len(pairs), "[l(l+1)/2 + m]: Y_lm = norm q_l^m(z) Re or Im (x+iy)^m", [norm(l, m) for l, m in pairs]),
+        table("shi_norm", len(pairs), "[l(l+1)/2 + m]: times monic q_l^m it is the normalised one", [norm(l, m) for l, m in pairs]),
+        table("shi_pole", len(pairs), "[l(l+1)/2 + m]: norm included, q_l^m at z = 1", [pole(l, m) for l, m in pairs]),
+        table("shi_slope", len(pairs), "[l(l+1)/2 + m]: norm included, d q_l^m / dz = slope q_l^{m+1}",
+              [sqrt(frac(slope2(l, m))) for l, m in pairs]),
         table("shi_root", 72, "[k]: sqrt(k)", [sqrt(mpf(k)) for k in range(72)]),
         table("shi_inverse_root", TOP + 3, "[l]: 1/sqrt(4 l^2 - 1), l >= 1",
               [mpf(0)] + [1 / sqrt(mpf(4 * l * l - 1)) for l in range(1, TOP + 3)]),
-        table("shi_reciprocal", TOP + 3, "[l]: 1/l, l >= 1", [mpf(0)] + [1 / mpf(l) for l in range(1, TOP + 3)]),
+        table("shi_reciprocal", 2 * TOP + 2, "[l]: 1/l, l >= 1", [mpf(0)] + [1 / mpf(l) for l in range(1, 2 * TOP + 2)]),
         table("shi_zonal", TOP + 1, "[l]: Y_l0(+z) = sqrt((2l+1)/(4 pi))", [sqrt((2 * l + 1) / (4 * pi)) for l in range(TOP + 1)]),
-        table("shi_horner", len(flat), f"m, then d = l-m, then k <= d/2 for {HORNER_BANDS} bands: norm q_l^m = z^(d&1) sum_k c_k (z^2 - 1/2)^k",
-              flat),
+        table("shi_horner", len(flat), "[5 (l(l+1)/2 + m) + k]: q_l^m = z^((l-m)&1) sum_k c_k (z^2 - 1/2)^k, norm included", flat),
     ])
 
 
