@@ -27,6 +27,13 @@ static void add_triangle(mesh *m, int a, int b, int c, int kind)
     t->material = kind;
 }
 
+void mesh_add(mesh *m, vec3 a, vec3 b, vec3 c, int kind)
+{
+    const vec3 n = unit(cross(sub(b, a), sub(c, a)));
+    const int i = add_vertex(m, a, n), j = add_vertex(m, b, n);
+    add_triangle(m, i, j, add_vertex(m, c, n), kind);
+}
+
 /* ---- the teapot ----
  * Martin Newell's control points (1975), in Blinn's proportions. Rim, body, lid and bottom are revolved: a row is
  * radius, length of the handles of its four quarter circles, height. Handle and spout are mirrored in y: a row is
@@ -257,6 +264,15 @@ void mesh_read_obj(mesh *m, const char *path, char up)
 
 /* ---- the room ---- */
 
+void mesh_copy(mesh *to, const mesh *from)
+{
+    int i;
+    memset(to, 0, sizeof *to);
+    for (i = 0; i < from->vertices; i++) add_vertex(to, from->v[i].p, from->v[i].n);
+    for (i = 0; i < from->triangles; i++)
+        add_triangle(to, from->t[i].v[0], from->t[i].v[1], from->t[i].v[2], from->t[i].material);
+}
+
 void mesh_place(mesh *m, float turn, vec3 room_for)
 {
     const float c = cosf(turn), s = sinf(turn);
@@ -304,7 +320,7 @@ void mesh_add_room(mesh *m, vec3 low, vec3 high, float step)
 {
     const vec3 x = vec(high.x - low.x, 0, 0), y = vec(0, high.y - low.y, 0), z = vec(0, 0, high.z - low.z);
     add_sheet(m, low, x, y, step, FLOOR_LIGHT);
-    add_sheet(m, add(low, y), x, mul(z, 1), 4 * step, WALL);
+    add_sheet(m, add(low, y), x, z, 4 * step, WALL);
     add_sheet(m, low, y, z, 4 * step, WALL);
     add_sheet(m, add(add(low, x), y), mul(y, -1), z, 4 * step, WALL);
 }

@@ -56,18 +56,17 @@ void picture_glow(view *w)
     w->glow = sum;
 }
 
-/* The exposure that brings the geometric mean of the surfaces' luminance to a middle grey. */
+/* The exposure that brings the mean luminance of the surfaces to a middle grey. */
 float picture_exposure(const view *w, const float *rgb)
 {
     double sum = 0, weight = 0;
     int i;
     for (i = 0; i < w->count; i++) {
-        const float *c = rgb + 3 * (size_t)i, y = 0.2126f * c[0] + 0.7152f * c[1] + 0.0722f * c[2];
-        if (!(y > 0)) continue;
-        sum += (double)(w->at[i].weight * logf(y));
+        const float *c = rgb + 3 * (size_t)i;
+        sum += (double)(w->at[i].weight * (0.2126f * c[0] + 0.7152f * c[1] + 0.0722f * c[2]));
         weight += (double)w->at[i].weight;
     }
-    return weight > 0 ? 0.10f / expf((float)(sum / weight)) : 1;
+    return sum > 0 ? (float)(0.13 * weight / sum) : 1;
 }
 
 static float tone(float x)                       /* Narkowicz 2015, a fit to the ACES curve; then the sRGB one */
@@ -88,6 +87,19 @@ float *picture_develop(const view *w, const float *rgb, float exposure)
         for (k = 0; k < 3; k++) out[3 * w->at[i].pixel + k] += w->at[i].weight * rgb[3 * i + (size_t)k];
     for (i = 0; i < values; i++) out[i] = tone(exposure * out[i]);
     return out;
+}
+
+/* out = zoom |a - b|; the mean of |a - b|. */
+double picture_difference(const float *a, const float *b, float zoom, size_t values, float *out)
+{
+    double sum = 0;
+    size_t i;
+    for (i = 0; i < values; i++) {
+        const float d = fabsf(a[i] - b[i]);
+        sum += (double)d;
+        out[i] = zoom * d;
+    }
+    return sum / (double)values;
 }
 
 /* ---- sheets: pictures side by side, a label above each ---- */

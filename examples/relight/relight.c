@@ -1,6 +1,6 @@
 /* relight.c - hundreds of coloured spheres light a teapot through a small grid of spherical harmonics. */
-#include "relight.h"
 #include "sh_interp.h"
+#include "relight.h"
 
 #include <stdarg.h>
 #include <stdio.h>
@@ -110,26 +110,18 @@ static options parse(int argc, char **argv)
     return o;
 }
 
-static double mean_difference(const float *a, const float *b, size_t values)
-{
-    double sum = 0;
-    size_t i;
-    for (i = 0; i < values; i++) sum += (double)fabsf(a[i] - b[i]);
-    return sum / (double)values;
-}
-
 static void compare(const scene *s, const view *w, const float *blocked, const options *o, int bands)
 {
     method at[] = {
-        { "per pixel",           PER_POINT,          0,       0,            0, 0, 0, NULL },
-        { "trilinear",           SH_TRILINEAR,       o->grid, SH_VALUES,    0, 0, 0, NULL },
-        { "trilinear",           SH_TRILINEAR,   2 * o->grid, SH_VALUES,    0, 0, 0, NULL },
-        { "half Taylor",         SH_HALF_TAYLOR,     o->grid, SH_GRADIENT,  0, 0, 0, NULL },
-        { "blended Taylor",      SH_BLENDED_TAYLOR,  o->grid, SH_GRADIENT,  0, 0, 0, NULL },
-        { "Hermite, no mixed",   SH_HERMITE_ZERO,    o->grid, SH_GRADIENT,  0, 0, 0, NULL },
-        { "Hermite, mixed",      SH_HERMITE_MIXED,   o->grid, SH_GRADIENT,  0, 0, 0, NULL },
-        { "edge Hermite",        SH_EDGE_HERMITE,    o->grid, SH_GRADIENT,  0, 0, 0, NULL },
-        { "blended Taylor 2",    SH_BLENDED_TAYLOR2, o->grid, SH_HESSIAN,   0, 0, 0, NULL },
+        { "per pixel",           PER_POINT,          0,       0,           SPHERES, 0, 0, 0, NULL },
+        { "trilinear",           SH_TRILINEAR,       o->grid, SH_VALUES,   SPHERES, 0, 0, 0, NULL },
+        { "trilinear",           SH_TRILINEAR,   2 * o->grid, SH_VALUES,   SPHERES, 0, 0, 0, NULL },
+        { "half Taylor",         SH_HALF_TAYLOR,     o->grid, SH_GRADIENT, SPHERES, 0, 0, 0, NULL },
+        { "blended Taylor",      SH_BLENDED_TAYLOR,  o->grid, SH_GRADIENT, SPHERES, 0, 0, 0, NULL },
+        { "Hermite, no mixed",   SH_HERMITE_ZERO,    o->grid, SH_GRADIENT, SPHERES, 0, 0, 0, NULL },
+        { "Hermite, mixed",      SH_HERMITE_MIXED,   o->grid, SH_GRADIENT, SPHERES, 0, 0, 0, NULL },
+        { "edge Hermite",        SH_EDGE_HERMITE,    o->grid, SH_GRADIENT, SPHERES, 0, 0, 0, NULL },
+        { "blended Taylor 2",    SH_BLENDED_TAYLOR2, o->grid, SH_HESSIAN,  SPHERES, 0, 0, 0, NULL },
     };
     enum { METHODS = sizeof at / sizeof *at };
     const size_t values = 3 * (size_t)o->width * (size_t)o->height;
@@ -148,23 +140,23 @@ static void compare(const scene *s, const view *w, const float *blocked, const o
         float *picture = picture_develop(w, at[i].rgb, exposure);
         const int left = i % 3 * width, top = i / 3 * (height + LABEL);
         char nodes[16] = "-";
-        size_t k;
 
-        at[i].error = mean_difference(picture, reference, values);
-        if (at[i].nodes) sprintf(nodes, "%d^3", at[i].nodes);
-        printf("%-20s %5s %10.2f %10.2f %10.3f %8.1fx\n", at[i].name, nodes, 1e3 * at[i].build, 1e3 * at[i].shade,
-               1e3 * at[i].error, at[0].shade / (at[i].build + at[i].shade));
         if (at[i].scheme == SH_EDGE_HERMITE) {
             sheet whole = sheet_new(o->width, o->height);
             sprintf(text, "%.200s.png", o->out);
             sheet_paste(&whole, 0, 0, picture, o->width, o->height, 1);
             sheet_write(&whole, text);
         }
-        for (k = 0; i > 0 && k < values; k++) picture[k] = 100 * fabsf(picture[k] - reference[k]);
-        sheet_paste(&errors, left, top + LABEL, picture, o->width, o->height, shrink);
+        if (at[i].scheme != PER_POINT) {
+            at[i].error = picture_difference(picture, reference, 100, values, picture);
+            sprintf(nodes, "%d^3", at[i].nodes);
+        }
+        printf("%-20s %5s %10.2f %10.2f %10.3f %8.1fx\n", at[i].name, nodes, 1e3 * at[i].build, 1e3 * at[i].shade,
+               1e3 * at[i].error, at[0].shade / (at[i].build + at[i].shade));
         if (i == 0) sprintf(text, "%d bands per pixel; 100 x the error of:", bands);
         else sprintf(text, "%s %s  MAE %.3f / 1000", at[i].name, nodes, 1e3 * at[i].error);
         sheet_label(&errors, left, top, width, text);
+        sheet_paste(&errors, left, top + LABEL, picture, o->width, o->height, shrink);
         free(picture);
         free(at[i].rgb);
     }
@@ -176,6 +168,7 @@ static void compare(const scene *s, const view *w, const float *blocked, const o
 int main(int argc, char **argv)
 {
     const options o = parse(argc, argv);
+    char lamps[256];
     scene s;
     view w;
     float *blocked;
@@ -192,6 +185,8 @@ int main(int argc, char **argv)
         compare(&s, &w, blocked, &o, 5);
         compare(&s, &w, blocked, &o, 9);
     }
+    sprintf(lamps, "%.200s-polygons.png", o.out);
+    lamps_compare(&s, blocked, o.bands ? o.bands : 9, o.grid, o.quick ? 5 : 19, o.width / 2, o.height / 2, lamps);
     free(s.m.v); free(s.m.t); free(s.l.sphere); free(s.l.radiance); free(w.at); free(w.glow); free(blocked);
     return 0;
 }

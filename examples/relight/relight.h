@@ -4,6 +4,7 @@
  *     scene.c     materials, lights, camera: what stands where               -> scene
  *     trace.c     a bounding volume hierarchy and rays through it            -> points, blocked
  *     shade.c     grids of coefficients, reconstruction, shading             -> radiance
+ *     lamps.c     triangle lights: exact, and each as a sphere
  *     picture.c   exposure, glow, tone curve, labels, PNG files
  *     relight.c   options, the order of work, the table
  */
@@ -46,10 +47,12 @@ void  progress(const char *what, double done);
 typedef struct { vec3 p, n; } vertex;
 typedef struct { int v[3], material; } triangle;
 typedef struct { vertex *v; triangle *t; int vertices, triangles; } mesh;
-enum { GLAZE, FLOOR_LIGHT, FLOOR_DARK, WALL, MATERIALS };
+enum { GLAZE, FLOOR_LIGHT, FLOOR_DARK, WALL, MATERIALS, LAMP = MATERIALS };
 
 void mesh_teapot(mesh *m, int steps);                        /* Newell's 32 patches, steps x steps quads each */
 void mesh_read_obj(mesh *m, const char *path, char up);
+void mesh_add(mesh *m, vec3 a, vec3 b, vec3 c, int kind);
+void mesh_copy(mesh *to, const mesh *from);
 void mesh_place(mesh *m, float turn, vec3 room_for);         /* turn about z, fit into a box, stand on z = 0 */
 void mesh_add_room(mesh *m, vec3 low, vec3 high, float step);
 
@@ -57,7 +60,14 @@ void mesh_add_room(mesh *m, vec3 low, vec3 high, float step);
 typedef struct { float albedo[3], f0, alpha; } material;
 typedef struct { float *sphere /* [4][count] x y z r */, *radiance /* [3][count] */; int count; } lights;
 typedef struct { vec3 eye, at; float width /* of the view at distance 1 */; } camera;
-typedef struct { mesh m; int casters /* its first triangles, all but the room */; lights l; camera c; vec3 low, high; } scene;
+typedef struct {
+    mesh m;
+    int casters, lamps;                                      /* its first triangles cast shadows, its last are lights */
+    lights l;
+    camera c;
+    vec3 low, high;                                          /* the room, and what a grid covers */
+} scene;
+extern const float lamp_radiance[3];
 extern const material materials[MATERIALS];
 void scene_build(scene *s, const char *obj /* or NULL: the teapot */, char up, int lights, int quick);
 
@@ -86,13 +96,18 @@ float *trace_blocked(const scene *s, int bands, int rays);
 
 /* shade.c */
 enum { BANDS = 9, PER_POINT = -1 };                          /* the shadows' bands; a scheme: no grid at all */
+enum { SPHERES, TRIANGLES, TRIANGLES_AS_SPHERES };           /* the lights a grid is made of */
 typedef struct {
     const char *name;
-    int scheme, nodes, planes;                               /* of sh_interp.h; nodes along each axis of the grid */
+    int scheme, nodes, planes, source;                       /* of sh_interp.h; nodes along each axis of the grid */
     double build, shade, error;                              /* seconds, seconds, mean absolute error */
     float *rgb;                                              /* [points][3] */
 } method;
 void shade(const scene *s, const view *w, const float *blocked, int bands, method *at, int methods);
+
+/* lamps.c */
+void lamps_compare(const scene *room, const float *blocked, int bands, int nodes, int pieces, int width, int height,
+                   const char *path);
 
 /* picture.c */
 enum { LABEL = 24 };                                         /* pixels */
@@ -100,6 +115,7 @@ typedef struct { int width, height; unsigned char *rgb; } sheet;
 void   picture_glow(view *w);
 float  picture_exposure(const view *w, const float *rgb);
 float *picture_develop(const view *w, const float *rgb, float exposure);     /* [pixels][3], 0 to 1, sRGB */
+double picture_difference(const float *a, const float *b, float zoom, size_t values, float *out);     /* the mean */
 sheet  sheet_new(int width, int height);
 void   sheet_paste(sheet *s, int left, int top, const float *picture, int width, int height, int shrink);
 void   sheet_label(sheet *s, int left, int top, int width, const char *text);

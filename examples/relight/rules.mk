@@ -1,6 +1,6 @@
 # The relight example: the library's main job, end to end. Needs stb (Debian: libstb-dev); OpenMP where cc has it.
 RELIGHT_DIR := examples/relight
-RELIGHT_SRC := $(addprefix $(RELIGHT_DIR)/,relight.c mesh.c scene.c trace.c shade.c picture.c)
+RELIGHT_SRC := $(addprefix $(RELIGHT_DIR)/,relight.c mesh.c scene.c trace.c shade.c lamps.c picture.c)
 RELIGHT_OMP := $(shell echo 'int main(void){return 0;}' | $(CC) -fopenmp -x c - -o /dev/null 2>/dev/null && echo -fopenmp || echo -Wno-unknown-pragmas)
 
 ALL_TARGETS  += $(BUILD)/relight

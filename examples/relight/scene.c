@@ -4,11 +4,13 @@
 #include <string.h>
 
 const material materials[MATERIALS] = {
-    { {0.78f, 0.76f, 0.72f}, 0.05f, 0.20f },       /* GLAZE */
-    { {0.34f, 0.33f, 0.33f}, 0.06f, 0.20f },       /* FLOOR_LIGHT */
-    { {0.05f, 0.05f, 0.06f}, 0.06f, 0.20f },       /* FLOOR_DARK */
+    { {0.62f, 0.60f, 0.56f}, 0.25f, 0.14f },       /* GLAZE */
+    { {0.30f, 0.29f, 0.29f}, 0.12f, 0.12f },       /* FLOOR_LIGHT */
+    { {0.04f, 0.04f, 0.05f}, 0.12f, 0.12f },       /* FLOOR_DARK */
     { {0.20f, 0.20f, 0.22f}, 0.03f, 0.60f },       /* WALL */
 };
+
+const float lamp_radiance[3] = { 4.0f, 2.7f, 1.5f };
 
 static void hang(lights *l, int i, vec3 at, float radius, vec3 radiance)
 {
@@ -25,9 +27,9 @@ static vec3 mix(vec3 a, vec3 b, float t) { return mad(mul(a, 1 - t), b, t); }
 static vec3 sunset(float u, float v)
 {
     const vec3 zenith = vec(0.04f, 0.05f, 0.32f), rose = vec(0.80f, 0.11f, 0.24f), gold = vec(1.6f, 0.55f, 0.06f);
-    const float near = 0.16f + 0.10f * sinf(7 * u + 0.6f) + 0.03f * sinf(19 * u);
-    const float far = 0.32f + 0.07f * sinf(9 * u + 2.6f) + 0.04f * sinf(23 * u + 1);
-    const float x = (u - 0.37f) * 16 / 9, y = v - 0.46f, up = fmaxf(v - 0.25f, 0) / 0.75f;
+    const float near = 0.15f + 0.09f * sinf(7 * u + 0.6f) + 0.03f * sinf(19 * u);
+    const float far = 0.27f + 0.06f * sinf(9 * u + 2.6f) + 0.03f * sinf(23 * u + 1);
+    const float x = (u - 0.37f) * 16 / 9, y = v - 0.50f, up = fmaxf(v - 0.25f, 0) / 0.75f;
 
     if (v < near) return vec(0.02f, 0.05f, 0.10f);
     if (v < far) return mix(vec(0.10f, 0.05f, 0.22f), vec(0.42f, 0.10f, 0.22f), v / far);
@@ -41,8 +43,8 @@ static vec3 sunset(float u, float v)
 static void hang_all(lights *l, int count, vec3 low, vec3 high)
 {
     static const struct { float y, z, sag, power; } string[6] = { {-0.16f, 0.06f, 0, 8}, {0.02f, 0.97f, 0.06f, 30},
-        {0.12f, 0.97f, 0.06f, 30}, {0.30f, 0.97f, 0.06f, 30}, {0.62f, 0.98f, 0.30f, 12}, {0.70f, 0.93f, 0.10f, 12} };
-    static const vec3 hue[5] = { {1.0f, 0.20f, 0.06f}, {1.0f, 0.50f, 0.12f}, {1.0f, 0.78f, 0.50f},
+        {0.12f, 0.97f, 0.06f, 30}, {0.30f, 0.97f, 0.06f, 30}, {0.62f, 0.98f, 0.30f, 4}, {0.70f, 0.93f, 0.10f, 4} };
+    static const vec3 hue[5] = { {1.0f, 0.20f, 0.06f}, {1.0f, 0.50f, 0.12f}, {1.0f, 0.62f, 0.45f},
                                  {0.30f, 0.50f, 1.0f}, {0.08f, 0.65f, 0.85f} };
     const int rows = (int)sqrtf((float)count * 0.8f * 9 / 16), columns = rows * 16 / 9;
     const int texels = rows * columns, bulbs = count - texels;

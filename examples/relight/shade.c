@@ -4,9 +4,10 @@
  * the clamped cosine about the normal less what is blocked, one for the clamped cosine times the GGX lobe about the
  * mirror direction (MP21's product, taken once on the side of the view). The transfers know nothing of the light: when
  * lights move, a new grid, a reconstruction and the dot products are all there is to do. */
-#include "relight.h"
 #include "sh_interp.h"
+#include "sh_polygon.h"
 #include "sh_product.h"
+#include "relight.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -23,17 +24,44 @@ static double now(void)
     return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
 }
 
-static float *grid_build(const scene *s, const sh_grid_f32 *g, int planes, int bands)
+/* The scene's triangle lights at one node: [3][planes of SH_GRADIENT][n2]. */
+static void add_triangles(const scene *s, const float node[3], int as_spheres, int bands, float *out)
 {
-    const size_t size = 3 * (size_t)planes * (size_t)(bands * bands), chunk = 8;
-    const long nodes = (long)g->count[0] * g->count[1] * g->count[2];
+    const int n2 = bands * bands;
+    float coeffs[4 * MAX_N2], error;
+    int i, j, k;
+
+    for (i = s->m.triangles - s->lamps; i < s->m.triangles; i++) {
+        float v[3][3];
+        for (k = 0; k < 3; k++) memcpy(v[k], &s->m.v[s->m.t[i].v[k]].p, sizeof v[k]);
+        check(as_spheres ? sh_triangle_as_sphere_f32(bands, SH_BOTH, node, v[0], v[1], v[2], coeffs, coeffs + n2, &error)
+                         : sh_polygon_f32(bands, SH_BOTH, node, 3, v[0], coeffs, coeffs + n2));
+        for (k = 0; k < 3; k++)
+            for (j = 0; j < 4 * n2; j++) out[k * 4 * n2 + j] += lamp_radiance[k] * coeffs[j];
+    }
+}
+
+static float *grid_build(const scene *s, const sh_grid_f32 *g, const method *m, int bands)
+{
+    const size_t size = 3 * (size_t)m->planes * (size_t)(bands * bands), nx = (size_t)g->count[0], ny = (size_t)g->count[1];
+    const int nodes = g->count[0] * g->count[1] * g->count[2], step = m->source == SPHERES ? 8 : 1;
     float *coeffs = need(NULL, (size_t)nodes * size, sizeof *coeffs);
-    long first;
+    int first, done = 0;
 
 #pragma omp parallel for schedule(dynamic)
-    for (first = 0; first < nodes; first += (long)chunk)
-        check(sh_spheres_grid_f32(bands, planes, 3, g, (size_t)first, nodes - first < (long)chunk ? (size_t)(nodes - first) : chunk,
-                                  (size_t)s->l.count, s->l.sphere, s->l.radiance, coeffs + (size_t)first * size));
+    for (first = 0; first < nodes; first += step) {
+        const size_t i = (size_t)first;
+        if (m->source == SPHERES)
+            check(sh_spheres_grid_f32(bands, m->planes, 3, g, i, (size_t)(nodes - first < step ? nodes - first : step),
+                                      (size_t)s->l.count, s->l.sphere, s->l.radiance, coeffs + i * size));
+        else {
+            const float node[3] = { g->origin[0] + g->cell[0] * (float)(i % nx), g->origin[1] + g->cell[1] * (float)(i / nx % ny),
+                                    g->origin[2] + g->cell[2] * (float)(i / nx / ny) };
+            add_triangles(s, node, m->source == TRIANGLES_AS_SPHERES, bands, coeffs + i * size);
+        }
+#pragma omp critical
+        progress("grids", (double)(done += step) / nodes);
+    }
     return coeffs;
 }
 
@@ -52,11 +80,12 @@ static void transfers(const scene *s, const float *blocked, int bands, const spo
     check(sh_zonal_cosine_f32(bands, cosine));
     for (i = 0; i < MATERIALS; i++) check(sh_zonal_ggx_f32(bands, materials[i].alpha, ggx[i]));
     for (i = 0; i < count; i++) {
-        const vec3 mirror = sub(mul(p[i].n, 2 * dot(p[i].n, p[i].out)), p[i].out);
+        const vec3 r = sub(mul(p[i].n, 2 * dot(p[i].n, p[i].out)), p[i].out);
+        const float mirror[3] = { r.x, r.y, r.z };
         memcpy(b->place[i], &p[i].p, sizeof b->place[i]);
         memcpy(b->normal[i], &p[i].n, sizeof b->normal[i]);
         check(sh_zonal_rotate_f32(bands, cosine, b->normal[i], b->diffuse + i * n2));
-        check(sh_zonal_rotate_f32(bands, ggx[p[i].material], &mirror.x, b->gloss + i * n2));
+        check(sh_zonal_rotate_f32(bands, ggx[p[i].material], mirror, b->gloss + i * n2));
     }
     check(sh_cosine_product_n_f32(bands, (size_t)count, b->normal[0], b->gloss, b->gloss));
     for (i = 0; i < count; i++) {
@@ -115,9 +144,8 @@ void shade(const scene *s, const view *w, const float *blocked, int bands, metho
             grid[i].count[k] = n;
         }
         at[i].build = now();
-        coeffs[i] = grid_build(s, &grid[i], at[i].planes, bands);
+        coeffs[i] = grid_build(s, &grid[i], &at[i], bands);
         at[i].build = now() - at[i].build;
-        progress("grids", (double)(i + 1) / methods);
     }
 #pragma omp parallel
     {

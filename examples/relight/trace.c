@@ -1,6 +1,6 @@
 /* trace.c - a bounding volume hierarchy over triangles and spheres, and the rays through it. */
-#include "relight.h"
 #include "sh_gradient.h"
+#include "relight.h"
 
 #include <stdlib.h>
 
@@ -154,6 +154,8 @@ void bvh_free(bvh *b)
 
 /* ---- rays ---- */
 
+#define SEAM 1e-5f                                               /* triangles overlap a little: no ray slips between */
+
 /* Moeller and Trumbore 1997. Shadow rays pass through back faces: a vertex inside a closed part is not in its shade. */
 static void meet_triangle(const bvh *b, int item, vec3 from, vec3 d, int shadow, hit *h)
 {
@@ -163,7 +165,7 @@ static void meet_triangle(const bvh *b, int item, vec3 from, vec3 d, int shadow,
     const float k = 1.0f / dot(e, p);
     const float u = dot(s, p) * k, w = dot(d, q) * k, t = dot(f, q) * k;
 
-    if (u >= 0 && w >= 0 && u + w <= 1 && t > 0 && t < h->t && (k > 0 || !shadow)) {  /* NaN never meets */
+    if (u >= -SEAM && w >= -SEAM && u + w <= 1 + SEAM && t > 0 && t < h->t && (k > 0 || !shadow)) {   /* NaN never */
         h->t = t; h->u = u; h->v = w; h->item = item;
     }
 }
@@ -219,7 +221,7 @@ int bvh_blocked(const bvh *b, vec3 from, vec3 direction) { return traverse(b, fr
 
 /* ---- what the camera sees: one ray per pixel, SUB x SUB where neighbours differ ---- */
 
-enum { SUB = 4 };
+enum { SUB = 3 };
 
 typedef struct { vec3 n; float t; int kind; } seen;                /* kind: material, or -1 - light, or NOTHING */
 enum { NOTHING = 1000 };
@@ -278,14 +280,16 @@ static int differ(const seen *a, const seen *b)
 static int add_points(const eye *e, int x, int y, int sub, spot *to, float *glow)
 {
     const float share = 1.0f / (float)(sub * sub);
-    int i, count = 0;
+    int i, k, count = 0;
 
     for (i = 0; i < sub * sub; i++) {
         const vec3 d = ray(e, (float)x + ((float)(i % sub) + 0.5f) / (float)sub, (float)y + ((float)(i / sub) + 0.5f) / (float)sub);
         const hit h = bvh_closest(e->b, e->c->eye, d);
         if (h.item >= e->m->triangles) {
-            int k;
-            for (k = 0; k < 3; k++) glow[k] += share * e->l->radiance[k * e->l->count + h.item - e->m->triangles];
+            const float *rgb = e->l->radiance + h.item - e->m->triangles;
+            for (k = 0; k < 3; k++) glow[k] += share * rgb[k * e->l->count];
+        } else if (h.item >= 0 && e->m->t[h.item].material == LAMP) {
+            for (k = 0; k < 3; k++) glow[k] += share * lamp_radiance[k];
         } else if (h.item >= 0) {
             to[count] = spot_of(e, &h, d);
             to[count].weight = share;
