@@ -39,3 +39,11 @@ test: $(TESTS_PROGRAMS)
 TEST_TARGETS += test-matrix-quick
 test-matrix-quick: ; @sh tests/matrix.sh quick $(BUILD)
 test-matrix:       ; @sh tests/matrix.sh full $(BUILD)
+
+# The oracle program against mpmath: a little with `make test`, more here.
+.PHONY: test-oracle oracle-check
+TEST_TARGETS += test-oracle
+test-oracle: $(BUILD)/sh-oracle
+	@$(PYTHON) tests/check_oracle.py $(BUILD)/sh-oracle --queries 1
+oracle-check: $(BUILD)/sh-oracle
+	@$(PYTHON) tests/check_oracle.py $(BUILD)/sh-oracle --queries 24
