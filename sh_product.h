@@ -144,6 +144,131 @@ SHI_INLINE int shi_parity(int axis, int l, int m)
     return odd ? -1 : 1;
 }
 
+/* ---- other systems' conventions: docs/conventions.md is this table for people ---- */
+
+enum { SHI_ACN, SHI_FUMA, SHI_COMPLEX, SHI_HALF_COMPLEX, SHI_TRIANGLES, SHI_SQUARES, SHI_PACKED, SHI_MONOMIALS };
+enum { SHI_RADIANCE, SHI_PER_PI, SHI_IRRADIANCE, SHI_FOLDED, SHI_FOUR_PI, SHI_N3D, SHI_SN3D, SHI_MAX_N, SHI_HALVES, SHI_DOUBLES };
+
+typedef struct {
+    const char *name;
+    signed char order, scale;
+    signed char phase;                  /* 1: Condon-Shortley factor in, as here */
+    signed char polar;                  /* axis of theirs that is our z: 2, or 1 where x, y, z are our y, z, x */
+    signed char most;                   /* bands */
+} shi_convention;
+
+SHI_INLINE const shi_convention *shi_find_convention(int id)
+{
+    static const shi_convention list[] = {
+        { "sloan",              SHI_ACN,          SHI_RADIANCE,   1, 2, 32 },
+        { "no-phase",           SHI_ACN,          SHI_RADIANCE,   0, 2, 32 },
+        { "directxmath",        SHI_ACN,          SHI_RADIANCE,   1, 2,  6 },
+        { "d3dx",               SHI_ACN,          SHI_RADIANCE,   1, 2,  6 },
+        { "m22",                SHI_ACN,          SHI_RADIANCE,   1, 2, 32 },
+        { "wr18",               SHI_ACN,          SHI_RADIANCE,   1, 2, 32 },
+        { "pbrt",               SHI_ACN,          SHI_RADIANCE,   1, 2, 29 },
+        { "google",             SHI_ACN,          SHI_RADIANCE,   1, 2, 32 },
+        { "tiny-cuda-nn",       SHI_ACN,          SHI_RADIANCE,   1, 2,  8 },
+        { "3dgs",               SHI_ACN,          SHI_RADIANCE,   1, 2,  4 },
+        { "unreal",             SHI_ACN,          SHI_RADIANCE,   1, 2,  3 },
+        { "babylon",            SHI_ACN,          SHI_RADIANCE,   1, 2,  3 },
+        { "babylon-polynomial", SHI_MONOMIALS,    SHI_FOLDED,     0, 2,  3 },
+        { "gltf",               SHI_ACN,          SHI_IRRADIANCE, 1, 2,  3 },
+        { "three",              SHI_ACN,          SHI_RADIANCE,   0, 2,  3 },
+        { "godot",              SHI_ACN,          SHI_PER_PI,     0, 2,  3 },
+        { "unity",              SHI_ACN,          SHI_FOLDED,     0, 2,  3 },
+        { "unity-packed",       SHI_PACKED,       SHI_FOLDED,     0, 2,  3 },
+        { "filament",           SHI_ACN,          SHI_FOLDED,     0, 2,  3 },
+        { "sh-lib",             SHI_ACN,          SHI_RADIANCE,   0, 2, 32 },
+        { "falcor",             SHI_ACN,          SHI_RADIANCE,   0, 2,  4 },
+        { "sphericart",         SHI_ACN,          SHI_RADIANCE,   0, 2, 32 },
+        { "e3nn",               SHI_ACN,          SHI_RADIANCE,   0, 1, 12 },
+        { "scipy",              SHI_COMPLEX,      SHI_HALVES,     1, 2, 32 },
+        { "mpmath",             SHI_COMPLEX,      SHI_HALVES,     1, 2, 32 },
+        { "sympy",              SHI_COMPLEX,      SHI_HALVES,     1, 2, 32 },
+        { "boost",              SHI_COMPLEX,      SHI_HALVES,     1, 2, 32 },
+        { "healpy",             SHI_HALF_COMPLEX, SHI_HALVES,     1, 2, 32 },
+        { "gsl",                SHI_TRIANGLES,    SHI_DOUBLES,    0, 2, 32 },
+        { "shtools",            SHI_SQUARES,      SHI_FOUR_PI,    0, 2, 32 },
+        { "n3d",                SHI_ACN,          SHI_N3D,        0, 2, 32 },
+        { "sn3d",               SHI_ACN,          SHI_SN3D,       0, 2, 32 },
+        { "fuma",               SHI_FUMA,         SHI_MAX_N,      0, 2,  4 }
+    };
+    return id >= 0 && id < (int)(sizeof list / sizeof list[0]) ? list + id : NULL;
+}
+
+/* Number of a convention by its name, or SH_ERROR_OPTION; name of a number, or NULL past the last. */
+SH_API const char *sh_convention_name(int convention)
+{
+    const shi_convention *c = shi_find_convention(convention);
+    return c ? c->name : NULL;
+}
+
+SH_API int sh_convention(const char *name)
+{
+    const char *known;
+    int id;
+    if (!name) return SH_ERROR_NULL;
+    for (id = 0; (known = sh_convention_name(id)) != NULL; id++)
+        if (strcmp(known, name) == 0) return id;
+    return SH_ERROR_OPTION;
+}
+
+/* How many numbers one vector has there, or a negative status: SH_ERROR_BANDS beyond what the system has. */
+SH_API int sh_convention_size(int convention, int bands)
+{
+    const shi_convention *c = shi_find_convention(convention);
+    if (!c) return SH_ERROR_OPTION;
+    if (bands < 1 || bands > c->most) return SH_ERROR_BANDS;
+    switch (c->order) {
+    case SHI_COMPLEX: case SHI_SQUARES: return 2 * bands * bands;
+    case SHI_HALF_COMPLEX: case SHI_TRIANGLES: return bands * (bands + 1);
+    case SHI_PACKED: case SHI_MONOMIALS: return bands == 3 ? 9 : SH_ERROR_BANDS;
+    default: return bands * bands;
+    }
+}
+
+/* theirs = factor * ours, for systems in which a coefficient stays one number */
+SHI_INLINE double shi_convention_factor(const shi_convention *c, int l, int m)
+{
+    static const double cosine[3] = { 1, 2.0 / 3, 0.25 };       /* irradiance / pi over radiance */
+    static const double basis[9] = { 0.28209479177387814, 0.4886025119029199, 0.4886025119029199, 0.4886025119029199,
+        1.0925484305920792, 1.0925484305920792, 0.31539156525252, 1.0925484305920792, 0.5462742152960396 };
+    static const double peak[4][4] = { { 0.7071067811865476 }, { 1, 1 }, { 1, 1.1547005383792515, 1.1547005383792515 },
+        { 1, 1.1858541225631423, 1.3416407864998738, 1.2649110640673518 } };    /* FuMa over SN3D */
+    const int am = m < 0 ? -m : m;
+    double f = !c->phase && (m & 1) ? -1 : 1;
+
+    switch (c->scale) {
+    case SHI_PER_PI:     f *= 0.3183098861837907; break;
+    case SHI_IRRADIANCE: f *= 3.141592653589793 * cosine[l]; break;
+    case SHI_FOLDED:     f *= cosine[l] * basis[l * (l + 1) + m]; break;
+    case SHI_FOUR_PI:    f *= 0.28209479177387814; break;
+    case SHI_N3D:        f *= 3.5449077018110318; break;
+    case SHI_SN3D:       f *= 3.5449077018110318 / sqrt(2 * l + 1.0); break;
+    case SHI_MAX_N:      f *= 3.5449077018110318 / sqrt(2 * l + 1.0) * peak[l][am]; break;
+    case SHI_HALVES:     if (m) f *= 0.7071067811865476; break;
+    case SHI_DOUBLES:    if (m) f *= 1.4142135623730951; break;
+    default: break;
+    }
+    return f;
+}
+
+/* where the coefficient (the real part of a complex one) stands among theirs */
+SHI_INLINE int shi_convention_place(const shi_convention *c, int bands, int l, int m)
+{
+    static const signed char fuma[16] = { 0, 2, 3, 1, 8, 6, 4, 5, 7, 15, 13, 11, 9, 10, 12, 14 };
+    const int am = m < 0 ? -m : m;
+    switch (c->order) {
+    case SHI_FUMA:         return fuma[l * (l + 1) + m];
+    case SHI_COMPLEX:      return 2 * (l * (l + 1) + m);
+    case SHI_HALF_COMPLEX: return 2 * (am * bands - am * (am - 1) / 2 + l - am) + (m < 0);
+    case SHI_TRIANGLES:    return (m < 0 ? bands * (bands + 1) / 2 : 0) + l * (l + 1) / 2 + am;
+    case SHI_SQUARES:      return (m < 0 ? bands * bands : 0) + l * bands + am;
+    default:               return l * (l + 1) + m;
+    }
+}
+
 #define SHI_FILE SH_PRODUCT_FILENAME
 #define SHI_ROOM SHI_INSTANTIATE
 #include SH_GRADIENT_FILENAME
@@ -1005,7 +1130,7 @@ SHI_INLINE void SHI_KN(shi_quadratic)(const SHI_T k[10], const SHI_V n[3], SHI_V
 /* ---- from arrays to lanes and back ---- */
 
 /* a[i] lane j <-> a[j] lane i */
-SHI_KERNEL void SHI_KN(shi_transpose)(SHI_V *a)
+SHI_KERNEL void SHI_KN(shi_square)(SHI_V *a)
 {
 #if SHI_LANES > 1
     SHI_V b[SHI_W];
@@ -1030,6 +1155,7 @@ SHI_INLINE void SHI_KN(shi_enter)(int n, int plain, size_t first, size_t count, 
     const SHI_T *from[SHI_W];
     int r, i;
 
+    memset(d, 0, sizeof *d);                    /* gcc 12 cannot see that n >= 1 */
     if (!plain) {
         in += first / SH_BLOCK * size * SH_BLOCK + first % SH_BLOCK;
         for (r = 0; r < n; r++) d[r] = SHI_LOAD(in + r * SH_BLOCK);
@@ -1040,7 +1166,7 @@ SHI_INLINE void SHI_KN(shi_enter)(int n, int plain, size_t first, size_t count, 
         SHI_V a[SHI_W];
         SHI_UNROLL
         for (i = 0; i < SHI_W; i++) a[i] = SHI_LOAD(from[i] + r);
-        SHI_KN(shi_transpose)(a);
+        SHI_KN(shi_square)(a);
         SHI_UNROLL
         for (i = 0; i < SHI_W; i++) d[r + i] = a[i];
         if (r + SHI_W >= n) return;
@@ -1070,7 +1196,7 @@ SHI_INLINE void SHI_KN(shi_leave)(int n, int plain, size_t first, size_t count, 
             SHI_V a[SHI_W];
             SHI_UNROLL
             for (i = 0; i < SHI_W; i++) a[i] = d[r + i];
-            SHI_KN(shi_transpose)(a);
+            SHI_KN(shi_square)(a);
             SHI_UNROLL
             for (i = 0; i < SHI_W; i++) SHI_STORE(out + (size_t)i * size + r, a[i]);
             if (r + SHI_W >= n) return;
@@ -1554,6 +1680,287 @@ SH_API int SHI_FN(sh_cosine_product_zonal)(int bands, int zonal_bands, const SHI
     status = SHI_FN(sh_zonal_rotate)(zonal_bands, zh, normal, cosine);
     if (status) return status;
     return SHI_FN(shi_products)(bands, zonal_bands, bands, 1, coeffs, cosine, out);
+}
+
+/* ---- other systems --------------------------------------------------------------------------------------------- */
+
+/* Our coefficients as another system keeps them, one channel: docs/conventions.md says what each number is.
+ *
+ *   ours     [bands^2]
+ *   theirs   [sh_convention_size(convention, bands)], apart from ours
+ *
+ * Exact where the systems differ in order, sign and axes; else each number is within eps/2, and there and back within eps. */
+SH_API int SHI_FN(sh_convert_to)(int convention, int bands, const SHI_T *ours, SHI_T *theirs)
+{
+    const shi_convention *c = shi_find_convention(convention);
+    const int size = sh_convention_size(convention, bands), n = bands * bands;
+    int l, m;
+
+    if (!ours || !theirs) return SH_ERROR_NULL;
+    if (size < 0) return size;
+    if (shi_overlap(ours, (size_t)n * sizeof *ours, theirs, (size_t)size * sizeof *theirs)) return SH_ERROR_OVERLAP;
+    memset(theirs, 0, (size_t)size * sizeof *theirs);
+    for (l = 0; l < bands; l++)
+        for (m = -l; m <= l; m++) {
+            const SHI_T v = (SHI_T)(shi_convention_factor(c, l, m) * (double)ours[l * (l + 1) + m]);
+            if (c->order == SHI_COMPLEX) {      /* a_m = (c_m - i c_-m)/sqrt 2, a_-m = (-1)^m its conjugate */
+                const int i = 2 * (l * (l + 1) + (m < 0 ? -m : m)), j = 2 * (l * (l + 1) - (m < 0 ? -m : m));
+                const SHI_T flipped = m & 1 ? -v : v;
+                if (m >= 0) { theirs[j] = flipped; theirs[i] = v; }
+                else { theirs[i + 1] = -v; theirs[j + 1] = flipped; }
+            } else theirs[shi_convention_place(c, bands, l, m)] = c->order == SHI_HALF_COMPLEX && m < 0 ? -v : v;
+        }
+    if (c->order == SHI_PACKED) {               /* SHA xyzw, SHB xyzw, SHC */
+        SHI_T t[9];
+        memcpy(t, theirs, sizeof t);
+        theirs[0] = t[3]; theirs[1] = t[1]; theirs[2] = t[2]; theirs[3] = t[0] - t[6];
+        theirs[4] = t[4]; theirs[5] = t[5]; theirs[6] = 3 * t[6]; theirs[7] = t[7]; theirs[8] = t[8];
+    } else if (c->order == SHI_MONOMIALS) {     /* x y z xx yy zz yz zx xy */
+        SHI_T t[9];
+        memcpy(t, theirs, sizeof t);
+        theirs[0] = t[3]; theirs[1] = t[1]; theirs[2] = t[2];
+        theirs[3] = t[0] - t[6] + t[8]; theirs[4] = t[0] - t[6] - t[8]; theirs[5] = t[0] + 2 * t[6];
+        theirs[6] = t[5]; theirs[7] = t[7]; theirs[8] = t[4];
+    }
+    return SH_OK;
+}
+
+/* The way back. Of complex sets the part m >= 0 is read: the function is real. */
+SH_API int SHI_FN(sh_convert_from)(int convention, int bands, const SHI_T *theirs, SHI_T *ours)
+{
+    const shi_convention *c = shi_find_convention(convention);
+    const int size = sh_convention_size(convention, bands), n = bands * bands;
+    SHI_T t[9];
+    int l, m;
+
+    if (!ours || !theirs) return SH_ERROR_NULL;
+    if (size < 0) return size;
+    if (shi_overlap(ours, (size_t)n * sizeof *ours, theirs, (size_t)size * sizeof *theirs)) return SH_ERROR_OVERLAP;
+    if (c->order == SHI_PACKED) {
+        t[3] = theirs[0]; t[1] = theirs[1]; t[2] = theirs[2]; t[6] = theirs[6] / 3; t[0] = theirs[3] + t[6];
+        t[4] = theirs[4]; t[5] = theirs[5]; t[7] = theirs[7]; t[8] = theirs[8];
+        theirs = t;
+    } else if (c->order == SHI_MONOMIALS) {
+        t[3] = theirs[0]; t[1] = theirs[1]; t[2] = theirs[2];
+        t[0] = (theirs[3] + theirs[4] + theirs[5]) / 3; t[8] = (theirs[3] - theirs[4]) / 2;
+        t[6] = (2 * theirs[5] - theirs[3] - theirs[4]) / 6;
+        t[5] = theirs[6]; t[7] = theirs[7]; t[4] = theirs[8];
+        theirs = t;
+    }
+    for (l = 0; l < bands; l++)
+        for (m = -l; m <= l; m++) {
+            const int imaginary = m < 0 && (c->order == SHI_COMPLEX || c->order == SHI_HALF_COMPLEX);
+            SHI_T v = theirs[c->order == SHI_COMPLEX && m < 0 ? 2 * (l * (l + 1) - m) + 1 : shi_convention_place(c, bands, l, m)];
+            if (imaginary) v = -v;
+            ours[l * (l + 1) + m] = (SHI_T)((double)v / shi_convention_factor(c, l, m));
+        }
+    return SH_OK;
+}
+
+/* A direction, or a derivative by one, in their axes and in ours. in and out may be the same array. */
+SH_API int SHI_FN(sh_convert_direction_to)(int convention, const SHI_T ours[3], SHI_T theirs[3])
+{
+    const shi_convention *c = shi_find_convention(convention);
+    if (!c) return SH_ERROR_OPTION;
+    if (!ours || !theirs) return SH_ERROR_NULL;
+    {
+        const SHI_T x = ours[0], y = ours[1], z = ours[2];
+        theirs[0] = c->polar == 1 ? y : x;
+        theirs[1] = c->polar == 1 ? z : y;
+        theirs[2] = c->polar == 1 ? x : z;
+    }
+    return SH_OK;
+}
+
+SH_API int SHI_FN(sh_convert_direction_from)(int convention, const SHI_T theirs[3], SHI_T ours[3])
+{
+    const shi_convention *c = shi_find_convention(convention);
+    if (!c) return SH_ERROR_OPTION;
+    if (!ours || !theirs) return SH_ERROR_NULL;
+    {
+        const SHI_T x = theirs[0], y = theirs[1], z = theirs[2];
+        ours[0] = c->polar == 1 ? z : x;
+        ours[1] = c->polar == 1 ? x : y;
+        ours[2] = c->polar == 1 ? y : z;
+    }
+    return SH_OK;
+}
+
+/* ---- ringing --------------------------------------------------------------------------------------------------- */
+
+/* Window factors[l] of a width in bands, for sh_scale_bands. SH_HANN, SH_LANCZOS (zero from the width on), SH_GAUSS (the heat
+ * kernel of the sphere: the only one of the three that never makes a minimum lower). Another kind, or a width that is not
+ * positive, is SH_ERROR_OPTION. Bands to 32. Source: S08. */
+SH_API int SHI_FN(sh_window)(int kind, int bands, SHI_T width, SHI_T *factors)
+{
+    int l;
+    if (!factors) return SH_ERROR_NULL;
+    if (bands < 1 || bands > SH_MAX_BANDS) return SH_ERROR_BANDS;
+    if (kind < SH_HANN || kind > SH_GAUSS || !SHI_FN(shi_finite)(&width, 1) || !(width > 0)) return SH_ERROR_OPTION;
+    for (l = 0; l < bands; l++) factors[l] = (SHI_T)shi_window(kind, (double)width, l);
+    return SH_OK;
+}
+
+/* Move a unit direction downhill on f = sum c_i Y_i by Newton's method on the sphere; returns f there. */
+SHI_INLINE SHI_T SHI_FN(shi_descend)(int bands, const SHI_T *c, SHI_T u[3])
+{
+    SHI_T y[SH_MAX_BANDS * SH_MAX_BANDS], g[3 * SH_MAX_BANDS * SH_MAX_BANDS], h[6 * SH_MAX_BANDS * SH_MAX_BANDS];
+    const int n = bands * bands;
+    double best = 0, v[3];
+    int turn, i, k;
+
+    for (k = 0; k < 3; k++) v[k] = (double)u[k];
+    for (turn = 0; turn < 12; turn++) {
+        double f = 0, grad[3] = { 0, 0, 0 }, hess[6] = { 0, 0, 0, 0, 0, 0 }, e[2][3], a, b, d, ga, gb, det, step, sa, sb, len;
+        SHI_T w[3];
+        for (k = 0; k < 3; k++) w[k] = (SHI_T)v[k];
+        SHI_FN(sh_eval_hessian)(bands, w, y, g, h);
+        for (i = 0; i < n; i++) {
+            f += (double)c[i] * (double)y[i];
+            for (k = 0; k < 3; k++) grad[k] += (double)c[i] * (double)g[k * n + i];
+            for (k = 0; k < 6; k++) hess[k] += (double)c[i] * (double)h[k * n + i];
+        }
+        if (turn > 0 && f >= best) break;
+        best = f;
+        for (k = 0; k < 3; k++) u[k] = w[k];
+        k = fabs(v[0]) < fabs(v[1]) ? (fabs(v[0]) < fabs(v[2]) ? 0 : 2) : fabs(v[1]) < fabs(v[2]) ? 1 : 2;
+        for (i = 0; i < 3; i++) e[0][i] = (i == k) - v[k] * v[i];
+        len = sqrt(e[0][0] * e[0][0] + e[0][1] * e[0][1] + e[0][2] * e[0][2]);
+        for (i = 0; i < 3; i++) e[0][i] /= len;
+        for (i = 0; i < 3; i++) e[1][i] = v[(i + 1) % 3] * e[0][(i + 2) % 3] - v[(i + 2) % 3] * e[0][(i + 1) % 3];
+#define SHI_FORM(p, q) (p[0] * (hess[0] * q[0] + hess[1] * q[1] + hess[2] * q[2]) + p[1] * (hess[1] * q[0] + hess[3] * q[1] \
+                        + hess[4] * q[2]) + p[2] * (hess[2] * q[0] + hess[4] * q[1] + hess[5] * q[2]))
+        a = SHI_FORM(e[0], e[0]);
+        b = SHI_FORM(e[0], e[1]);
+        d = SHI_FORM(e[1], e[1]);
+#undef SHI_FORM
+        ga = grad[0] * e[0][0] + grad[1] * e[0][1] + grad[2] * e[0][2];
+        gb = grad[0] * e[1][0] + grad[1] * e[1][1] + grad[2] * e[1][2];
+        det = a * d - b * b;
+        if (det > 0 && a + d > 0) {
+            sa = -(d * ga - b * gb) / det;
+            sb = -(a * gb - b * ga) / det;
+        } else {
+            sa = -ga;
+            sb = -gb;
+        }
+        step = sqrt(sa * sa + sb * sb);
+        if (!(step > 0)) break;
+        len = step > 0.5 / bands ? 0.5 / (bands * step) : 1;
+        for (i = 0; i < 3; i++) v[i] += len * (sa * e[0][i] + sb * e[1][i]);
+        len = sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
+        for (i = 0; i < 3; i++) v[i] /= len;
+    }
+    return (SHI_T)best;
+}
+
+/* Smallest value of sum c_i Y_i on the sphere, and where. dir [3] and value may be NULL. Bands to 32.
+ * Samples 24 bands^2 + 64 points of a spiral, then Newton's method from the eight lowest that are not neighbours: a true local
+ * minimum, and the global one unless eight others lie lower at the samples. */
+SH_API int SHI_FN(sh_minimum)(int bands, const SHI_T *coeffs, SHI_T *dir, SHI_T *value)
+{
+    enum { STARTS = 8, CHUNK = 64 };
+    SHI_T dirs[3 * CHUNK], values[CHUNK], start[STARTS][3], low[STARTS], best;
+    const int points = 24 * bands * bands + 64;
+    const double apart = 1 - 8.0 / points;                  /* cosine of about twice the spacing */
+    int first, i, j, k, used = 0, at = 0;
+
+    if (!coeffs) return SH_ERROR_NULL;
+    if (bands < 1 || bands > SH_MAX_BANDS) return SH_ERROR_BANDS;
+    for (first = 0; first < points; first += CHUNK) {
+        const int count = points - first < CHUNK ? points - first : CHUNK;
+        for (i = 0; i < count; i++) {
+            const double z = 1 - (2 * (first + i) + 1.0) / points, f = 2.399963229728653 * (first + i), s = sqrt(1 - z * z);
+            dirs[3 * i] = (SHI_T)(s * cos(f));
+            dirs[3 * i + 1] = (SHI_T)(s * sin(f));
+            dirs[3 * i + 2] = (SHI_T)z;
+        }
+        SHI_FN(sh_reconstruct_n)(bands, coeffs, (size_t)count, dirs, values, NULL);
+        for (i = 0; i < count; i++) {
+            const SHI_T *d = dirs + 3 * i;
+            int near = -1, worst = 0;
+            for (j = 0; j < used; j++) {
+                if ((double)(d[0] * start[j][0] + d[1] * start[j][1] + d[2] * start[j][2]) > apart) near = j;
+                if (low[j] > low[worst]) worst = j;
+            }
+            if (near < 0) {
+                if (used < STARTS) { near = used++; low[near] = values[i] + 1; }
+                else near = worst;
+            }
+            if (values[i] < low[near]) {
+                low[near] = values[i];
+                for (k = 0; k < 3; k++) start[near][k] = d[k];
+            }
+        }
+    }
+    best = low[0];
+    for (j = 0; j < used; j++) {
+        const SHI_T v = SHI_FN(shi_descend)(bands, coeffs, start[j]);
+        if (j == 0 || v < best) { best = v; at = j; }
+    }
+    if (value) *value = best;
+    for (k = 0; dir && k < 3; k++) dir[k] = start[at][k];
+    return SH_OK;
+}
+
+/* Do all channels, windowed at 1/inverse_width, stay non-negative? Leaves them in out. */
+SHI_INLINE int SHI_FN(shi_window_suffices)(int kind, int bands, int channels, double inverse_width, const SHI_T *in, SHI_T *out)
+{
+    SHI_T factors[SH_MAX_BANDS], lowest;
+    int c, l;
+
+    for (l = 0; l < bands; l++) factors[l] = (SHI_T)shi_window(kind, 1 / inverse_width, l);
+    for (c = 0; c < channels; c++) {
+        SHI_FN(sh_scale_bands)(bands, factors, in + c * bands * bands, out + c * bands * bands);
+        SHI_FN(sh_minimum)(bands, out + c * bands * bands, NULL, &lowest);
+        if (!(lowest >= 0)) return 0;
+    }
+    return 1;
+}
+
+/* Window a light just enough to make it non-negative: the widest window of a kind, the same for all channels.
+ *
+ *   in, out    [channels][bands^2], apart
+ *   channels   at least 1
+ *   width      the width used, or 0 if none was needed; may be NULL
+ *
+ * The minimum of the result, as sh_minimum finds it, is not negative; at a width 1e-5 larger it is (Hann and Lanczos, whose
+ * minimum is not monotonic in the width: the widest in a scan in steps of 1/16 of the inverse width, then refined).
+ * A channel whose mean is not positive cannot be mended: SH_ERROR_OPTION, as is an unknown kind. Bands to 32. */
+SH_API int SHI_FN(sh_dering)(int kind, int bands, int channels, const SHI_T *in, SHI_T *out, SHI_T *width)
+{
+    double low = 0, high;
+    size_t bytes;
+    SHI_T lowest;
+    int c, k, fine = 1;
+
+    if (!in || !out) return SH_ERROR_NULL;
+    if (bands < 1 || bands > SH_MAX_BANDS) return SH_ERROR_BANDS;
+    if (channels < 1 || channels > 1 << 16) return SH_ERROR_COUNT;
+    bytes = (size_t)(channels * bands * bands) * sizeof *in;
+    if (shi_overlap(in, bytes, out, bytes)) return SH_ERROR_OVERLAP;
+    if (kind < SH_HANN || kind > SH_GAUSS) return SH_ERROR_OPTION;
+    for (c = 0; c < channels; c++) {
+        if (!(in[c * bands * bands] > 0)) return SH_ERROR_OPTION;
+        SHI_FN(sh_minimum)(bands, in + c * bands * bands, NULL, &lowest);
+        if (!(lowest >= 0)) fine = 0;
+    }
+    if (fine) {
+        memcpy(out, in, bytes);
+        if (width) *width = 0;
+        return SH_OK;
+    }
+    for (high = 1.0 / 16; !SHI_FN(shi_window_suffices)(kind, bands, channels, high, in, out); high += high < 1 ? 1.0 / 16 : high) {
+        low = high;
+        if (high > 64) return SH_ERROR_NOT_FINITE;          /* NaN or Inf in the coefficients */
+    }
+    for (k = 0; k < 40 && high - low > 1e-6 * high; k++) {
+        const double middle = 0.5 * (low + high);
+        if (SHI_FN(shi_window_suffices)(kind, bands, channels, middle, in, out)) high = middle; else low = middle;
+    }
+    SHI_FN(shi_window_suffices)(kind, bands, channels, high, in, out);
+    if (width) *width = (SHI_T)(1 / high);
+    return SH_OK;
 }
 
 #endif /* rooms */

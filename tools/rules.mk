@@ -25,3 +25,8 @@ tables-product:
 	$(PYTHON) tools/gen_product.py
 check-tables-product:
 	$(PYTHON) tools/gen_product.py --check
+
+# tests/conventions/golden.csv against the real packages (network for npm; what is missing is named and skipped).
+.PHONY: check-conventions
+check-conventions:
+	$(PYTHON) tests/conventions/check.py $(BUILD)/conventions
