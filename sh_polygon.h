@@ -3606,6 +3606,25 @@ static const double shi_weights_16[7936] = {
 };
 /* END tools/gen_lobes.py */
 
+/* nodes that integrate cos(x t) over [-1,1] to 2e-10, 1e-17 or 1e-8 of its length, for x below the limit */
+SHI_INLINE int shi_gauss_count(double x, int tight)
+{
+    static const double limit[3][16] = {
+        { 3.4e-5, 0.015, 0.135, 0.437, 0.932, 1.58, 2.37, 3.29, 4.31, 5.37, 6.55, 7.76, 9.01, 10.2, 11.6, 13.0 },
+        { 7e-9, 2.2e-4, 8.1e-3, 0.053, 0.173, 0.388, 0.712, 1.13, 1.67, 2.28, 2.98, 3.75, 4.62, 5.53, 6.49, 7.46 },
+        { 2.4e-4, 0.040, 0.260, 0.712, 1.37, 2.21, 3.16, 4.22, 5.36, 6.61, 7.91, 9.18, 10.5, 12.0, 13.4, 14.8 } };
+    int k = 1;
+    while (k <= 16 && x > limit[tight][k - 1]) k++;
+    return k;
+}
+/* node i of the n-point rule on [0,1] */
+SHI_INLINE double shi_gauss_node(int n, int i, double *weight)
+{
+    const int low = n / 2, j = i < low ? (n + 1) / 2 - 1 - i : i - low;
+    *weight = 0.5 * shi_gauss_w[n * n / 4 + j];
+    return i < low ? 0.5 * (1 - shi_gauss_x[n * n / 4 + j]) : 0.5 * (1 + shi_gauss_x[n * n / 4 + j]);
+}
+
 SHI_NOINLINE int shi_polygon_engine(int bands, int sides, int tight, const double point[3], size_t count, const void *vertices,
                                     int floats, double *coeffs, double *grad, double *fan_size);
 SHI_NOINLINE int shi_triangle_sphere(int bands, int sides, const double x[3], const double v[9], double *out, double *grad, double *error);
@@ -3620,6 +3639,51 @@ SHI_NOINLINE int shi_triangle_sphere(int bands, int sides, const double x[3], co
  * Tables: once per precision.
  * ============================================================================================================= */
 #elif SHI_ROOM == SHI_TABLES
+
+/* Rules for small triangles, in barycentric coordinates of the second and third vertex, weights summing to 1/2: 1 point, 3
+ * points (degree 2), 7 points (degree 5), then k x k Gauss points (degree 2k-2). `limit`: bands times angular diameter up
+ * to which a rule keeps the bound. */
+#define SHI_RULES (SHI_BITS == 32 ? 6 : 11)
+typedef struct {
+    int start[12];
+    SHI_T node[3 * (SHI_BITS == 32 ? 88 : 503)];
+} SHI_FN(shi_rules);
+
+SHI_NOINLINE void SHI_FN(shi_make_rules)(SHI_FN(shi_rules) *r)
+{
+    static const double few[11][3] = {
+        { 0.33333333333333333, 0.33333333333333333, 0.5 },
+        { 0.16666666666666667, 0.16666666666666667, 0.16666666666666667 },
+        { 0.66666666666666667, 0.16666666666666667, 0.16666666666666667 },
+        { 0.16666666666666667, 0.66666666666666667, 0.16666666666666667 },
+        { 0.33333333333333333, 0.33333333333333333, 0.1125 },                       /* 9/80 */
+        { 0.10128650732345634, 0.10128650732345634, 0.06296959027241357 },          /* (6-sqrt 15)/21, (155-sqrt 15)/2400 */
+        { 0.79742698535308732, 0.10128650732345634, 0.06296959027241357 },
+        { 0.10128650732345634, 0.79742698535308732, 0.06296959027241357 },
+        { 0.47014206410511509, 0.47014206410511509, 0.066197076394253095 },         /* (6+sqrt 15)/21, (155+sqrt 15)/2400 */
+        { 0.05971587178976982, 0.47014206410511509, 0.066197076394253095 },
+        { 0.47014206410511509, 0.05971587178976982, 0.066197076394253095 } };
+    SHI_T *at = r->node;
+    int i, j, k;
+    for (i = 0; i < 11; i++)
+        for (k = 0; k < 3; k++) *at++ = (SHI_T)few[i][k];
+    r->start[0] = 0;
+    r->start[1] = 1;
+    r->start[2] = 4;
+    r->start[3] = 11;
+    for (k = 4; k < SHI_RULES + 1; k++) {
+        r->start[k] = r->start[k - 1] + k * k;
+        for (i = 0; i < k; i++) {
+            for (j = 0; j < k; j++) {
+                double a, b;
+                const double s = shi_gauss_node(k, i, &a), t = shi_gauss_node(k, j, &b);
+                *at++ = (SHI_T)(s * (1 - t));
+                *at++ = (SHI_T)(s * t);
+                *at++ = (SHI_T)(s * a * b);
+            }
+        }
+    }
+}
 
 /* ================================================================================================================
  * Kernels: once per lane type.
@@ -3782,6 +3846,332 @@ SHI_INLINE void SHI_KN(shi_polygon_finish)(int n, int planes, const SHI_V *total
         }
     }
 }
+
+/* ---- many points: lanes are points ---- */
+
+/* atan2(y, x) for y >= 0, by two half-angle steps; 2 ulp */
+SHI_KERNEL SHI_V SHI_KN(shi_polygon_angle)(SHI_V y, SHI_V x)
+{
+    const SHI_V zero = SHI_SPLAT(0), one = SHI_SPLAT(1), r = SHI_SQRT(x * x + y * y), d = r + SHI_ABS(x);
+    const SHI_V t = SHI_SELECT(d > zero, y, zero) / SHI_SELECT(d > zero, d, one);           /* tan(angle/2), x >= 0 */
+    const SHI_V u = t / (one + SHI_SQRT(one + t * t)), v = u / (one + SHI_SQRT(one + u * u)), k = v * v;
+#if SHI_BITS == 32
+    const SHI_V p = one - k * (SHI_C(1. / 3) - k * (SHI_C(1. / 5) - k * (SHI_C(1. / 7) - k * SHI_C(1. / 9))));
+#else
+    SHI_V p = SHI_SPLAT(1. / 25);
+    int i;
+    SHI_UNROLL
+    for (i = 23; i > 0; i -= 2) p = SHI_C(1) / SHI_C(i) - k * p;
+#endif
+    {
+        const SHI_V a = SHI_C(8) * (v * p);
+        return SHI_SELECT(x < zero, SHI_C(3.14159265358979323846) - a, a);
+    }
+}
+
+/* sine and cosine of a in [0, pi], from those of a/2 */
+SHI_KERNEL void SHI_KN(shi_polygon_turn)(SHI_V a, SHI_V *c, SHI_V *s)
+{
+    const SHI_V h = SHI_C(0.5) * a, k = h * h;
+    SHI_V sine = SHI_SPLAT(1), cosine = SHI_SPLAT(1);
+    int i;
+    SHI_UNROLL
+    for (i = SHI_BITS == 32 ? 12 : 20; i > 0; i -= 2) {
+        sine = SHI_C(1) - k * sine * (SHI_C(1) / SHI_C(i * (i + 1)));
+        cosine = SHI_C(1) - k * cosine * (SHI_C(1) / SHI_C(i * (i - 1)));
+    }
+    sine = h * sine;
+    *s = SHI_C(2) * (sine * cosine);
+    *c = SHI_C(1) - SHI_C(2) * (sine * sine);
+}
+
+/* (v - x) . n, rounded once: in double for float lanes */
+SHI_KERNEL SHI_V SHI_KN(shi_polygon_height)(const SHI_V x[3], const SHI_T v[3], const double n[3])
+{
+#if SHI_BITS == 32 && SHI_LANES > 1
+    __extension__ typedef double wide __attribute__((__vector_size__(2 * SHI_BYTES)));
+    const wide h = ((double)v[0] - __builtin_convertvector(x[0], wide)) * n[0] + ((double)v[1] - __builtin_convertvector(x[1], wide)) * n[1]
+                 + ((double)v[2] - __builtin_convertvector(x[2], wide)) * n[2];
+    return __builtin_convertvector(h, SHI_V);
+#elif SHI_BITS == 32
+    return (SHI_T)(((double)v[0] - (double)x[0]) * n[0] + ((double)v[1] - (double)x[1]) * n[1] + ((double)v[2] - (double)x[2]) * n[2]);
+#else
+    return (v[0] - x[0]) * n[0] + (v[1] - x[1]) * n[1] + (v[2] - x[2]) * n[2];
+#endif
+}
+
+enum { SHI_KN(shi_nodes_at_once) = 32 };
+#define SHI_NOT(m) ((SHI_M)((m) == ((m) ^ (m))))      /* lanes are -1 or 0, a scalar's mask 1 or 0 */
+
+/* Adds the light of one polygon, times `radiance`, at W points x to totals (SHI_TOTALS) and *omega. Lanes where the point lies
+ * in the polygon's plane or on an edge, or where lengths leave the range of T, add nothing and are marked in *hard: for the
+ * engine. Small lights: rules over the fan in the plane; others: nodes along the edges. A vector of points that mixes both
+ * runs both. work: 2 (n+1)(n+2) vectors. */
+SHI_INLINE void SHI_KN(shi_polygon_block)(int n, int planes, int sides, const SHI_FN(shi_rules) *rules, const SHI_V points[3], size_t count,
+                                          const SHI_T *v, SHI_T radiance, SHI_V *totals, SHI_V *omega, SHI_M *hard, SHI_V *work)
+{
+    static const double limits[2][11] = {
+        { 4e-4, 0.02, 0.7, 1.4, 2.0, 2.6 },
+        { 1e-8, 1e-5, 4e-3, 0.02, 0.06, 0.15, 0.3, 0.55, 0.9, 1.3, 1.8 } };
+    const SHI_V zero = SHI_SPLAT(0), one = SHI_SPLAT(1);
+    const SHI_T biggest = SHI_BITS == 32 ? SHI_C(1e8) : SHI_C(1e75), smallest = SHI_C(1) / biggest;
+    const SHI_T end_on = SHI_BITS == 32 ? SHI_C(1e-30) : SHI_C(1e-200 * (SHI_BITS == 64));
+    const int gradient = planes >= SH_GRADIENT, slope = n * (n + 1), flux = n * (n - 1);
+    SHI_V *const s = work, *const t = work + (n + 1) * (n + 2);
+    SHI_V x[3], a0[3], d2, dist, volume = zero, sum = zero, turn = zero, sign, factor, small_factor, wide_factor, size;
+    SHI_V node[SHI_KN(shi_nodes_at_once) * 5];
+    SHI_M small, bad;
+    SHI_T center[3] = { 0, 0, 0 }, radius = 0;
+    size_t i;
+    int k, l, level;
+
+    for (i = 0; i < 3 * count; i++) center[i % 3] += v[i];
+    for (k = 0; k < 3; k++) center[k] = center[k] / SHI_C(count);
+    for (i = 0; i < count; i++) {
+        SHI_T h = 0;
+        for (k = 0; k < 3; k++) h += (v[3 * i + (size_t)k] - center[k]) * (v[3 * i + (size_t)k] - center[k]);
+        if (h > radius) radius = h;
+    }
+    radius = SHI_LIBM(sqrt)(radius);
+    bad = (SHI_M)(zero != zero);
+    if (!(radius > smallest && radius < biggest)) {
+        *hard = SHI_NOT(bad);
+        return;
+    }
+    d2 = zero;
+    for (k = 0; k < 3; k++) d2 += (center[k] - points[k]) * (center[k] - points[k]);
+    dist = SHI_SQRT(d2);
+    bad = SHI_NOT((SHI_M)((dist < biggest) & (dist > smallest)));
+    dist = SHI_SELECT(bad, SHI_SPLAT(radius), dist);
+    for (k = 0; k < 3; k++) {                               /* such lanes compute something finite, and add nothing */
+        x[k] = SHI_SELECT(bad, SHI_SPLAT(center[k] + radius), points[k]);
+        a0[k] = v[k] - x[k];
+    }
+    size = dist - SHI_C(4) * radius;
+    small = (SHI_M)(size > zero);
+    size = SHI_SELECT(small, SHI_C(2 * n) * radius / (dist - SHI_SELECT(small, SHI_SPLAT(radius), zero)), SHI_SPLAT(100));
+    small &= (SHI_M)(size < SHI_C(limits[SHI_BITS == 64][SHI_RULES - 1]));
+
+    /* side, and the solid angle of the fan where it will be wanted */
+    {
+        const int wide = SHI_ANY(SHI_NOT(small));
+        SHI_V b[3], r0 = zero, rb = zero, d0b = zero;
+        for (i = 1; i < count; i++) {
+            double n2[3] = { 0, 0, 0 };
+            SHI_V c[3], det, rc, d0c, dbc;
+            for (k = 0; k < 3; k++) c[k] = v[3 * i + (size_t)k] - x[k];
+            if (i > 1) {
+                for (k = 0; k < 3; k++) {
+                    const size_t p = (size_t)((k + 1) % 3), q = (size_t)((k + 2) % 3);
+                    n2[k] = ((double)v[3 * i - 3 + p] - (double)v[p]) * ((double)v[3 * i + q] - (double)v[q])
+                          - ((double)v[3 * i - 3 + q] - (double)v[q]) * ((double)v[3 * i + p] - (double)v[p]);
+                }
+                det = SHI_KN(shi_polygon_height)(x, v, n2);
+                volume += det;
+            } else {
+                det = zero;
+            }
+            if (!wide) continue;
+            if (i == 1) r0 = SHI_SQRT(a0[0] * a0[0] + a0[1] * a0[1] + a0[2] * a0[2]);
+            rc = SHI_SQRT(c[0] * c[0] + c[1] * c[1] + c[2] * c[2]);
+            d0c = a0[0] * c[0] + a0[1] * c[1] + a0[2] * c[2];
+            if (i > 1) {
+                SHI_V solid;
+                dbc = b[0] * c[0] + b[1] * c[1] + b[2] * c[2];
+                solid = SHI_C(2) * SHI_KN(shi_polygon_angle)(SHI_ABS(det), r0 * rb * rc + d0b * rc + dbc * r0 + d0c * rb);
+                sum += SHI_SELECT(det < zero, -solid, solid);
+            }
+            for (k = 0; k < 3; k++) b[k] = c[k];
+            rb = rc;
+            d0b = d0c;
+        }
+        for (i = 0; wide && i < count; i++) {               /* on an edge: seen end on, between its ends */
+            const SHI_T *from = v + 3 * i, *to = i + 1 < count ? v + 3 * i + 3 : v;
+            SHI_V c[3], cross = zero, dot = zero;
+            for (k = 0; k < 3; k++) c[k] = from[k] - x[k];
+            for (k = 0; k < 3; k++) {
+                const int p = (k + 1) % 3, q = (k + 2) % 3;
+                cross += SHI_ABS(c[p] * (to[q] - from[q]) - c[q] * (to[p] - from[p]));
+                dot += c[k] * (to[k] - x[k]);
+            }
+            bad |= (SHI_M)(cross <= end_on) & (SHI_M)(dot <= zero);
+        }
+    }
+    bad |= (SHI_M)(volume == zero);
+    sign = sides == SH_SIGNED ? -one : SHI_SELECT(volume < zero, -one, sides == SH_FRONT ? zero : one);
+    factor = radiance * SHI_SELECT(bad, zero, sign);
+    small_factor = SHI_SELECT(small, factor, zero);
+    wide_factor = factor - small_factor;
+
+    if (SHI_ANY(small)) {
+        const int ns = n, nt = gradient ? n + 1 : 0;
+        SHI_T largest = 0;
+        SHI_T tmp[SHI_W];
+        const SHI_V in = SHI_SELECT(small, size, zero);
+        SHI_STORE(tmp, in);
+        for (k = 0; k < SHI_W; k++) if (tmp[k] > largest) largest = tmp[k];
+        for (level = 0; level + 1 < SHI_RULES && (double)largest > limits[SHI_BITS == 64][level]; level++) {}
+        for (i = 1; i + 1 < count; i++) {
+            const SHI_T *e1 = v + 3 * i, *e2 = v + 3 * i + 3, *rule = rules->node + 3 * rules->start[level];
+            const int nodes = rules->start[level + 1] - rules->start[level];
+            double n2[3];
+            SHI_T e[3], f[3];
+            SHI_V det;
+            int fill = 0, j;
+            for (k = 0; k < 3; k++) {
+                const size_t p = (size_t)((k + 1) % 3), q = (size_t)((k + 2) % 3);
+                n2[k] = ((double)e1[p] - (double)v[p]) * ((double)e2[q] - (double)v[q]) - ((double)e1[q] - (double)v[q]) * ((double)e2[p] - (double)v[p]);
+                e[k] = e1[k] - v[k];
+                f[k] = e2[k] - v[k];
+            }
+            det = SHI_KN(shi_polygon_height)(x, v, n2);
+            for (l = 0; l < ns * (ns + 1); l++) s[l] = zero;
+            for (l = 0; l < nt * (nt + 1); l++) t[l] = zero;
+            for (j = 0; j < nodes; j++) {
+                SHI_V *const o = node + 5 * fill, ir, p[3];
+                for (k = 0; k < 3; k++) p[k] = a0[k] + (rule[3 * j] * e[k] + rule[3 * j + 1] * f[k]);
+                ir = one / SHI_SQRT(SHI_SELECT(small, p[0] * p[0] + p[1] * p[1] + p[2] * p[2], one));
+                for (k = 0; k < 3; k++) o[k] = p[k] * ir;
+                o[3] = rule[3 * j + 2] * (ir * ir * ir) * small_factor;
+                o[4] = o[3] * ir;
+                if (++fill == SHI_KN(shi_nodes_at_once) || j + 1 == nodes) {
+                    if (fill & 1) {
+                        SHI_V *const last = node + 5 * fill++;
+                        last[0] = last[1] = last[3] = last[4] = zero;
+                        last[2] = one;
+                    }
+                    SHI_KN(shi_polygon_sums)(ns, nt, fill, node, s, t);
+                    fill = 0;
+                }
+            }
+            for (l = 0; l < slope; l++) totals[l] += det * s[l];
+            if (gradient) {
+                SHI_V *const out = totals + SHI_SLOPE_AT(n), *const ray = totals + SHI_RAY_AT(n);
+                const SHI_T nx = (SHI_T)n2[0], ny = (SHI_T)n2[1], nz = (SHI_T)n2[2];
+                for (l = 0; l < slope; l++) {
+                    out[l] -= nx * s[l];
+                    out[slope + l] -= ny * s[l];
+                    out[2 * slope + l] -= nz * s[l];
+                }
+                for (l = 0; l < nt * (nt + 1); l++) ray[l] += det * t[l];
+            }
+        }
+    }
+
+    if (SHI_ANY(SHI_NOT(small))) {
+        const int ns = n - 1, nt = gradient ? n : 0;
+        SHI_V first[3], before[3], corner[3], have = zero, a[3], r;
+        for (k = 0; k < 3; k++) {
+            a[k] = a0[k];
+            first[k] = before[k] = corner[k] = zero;
+        }
+        r = SHI_SQRT(a[0] * a[0] + a[1] * a[1] + a[2] * a[2]);
+        for (i = 0; i < count; i++) {
+            const SHI_T *from = v + 3 * i, *to = i + 1 < count ? v + 3 * i + 3 : v;
+            SHI_T e[3], tmp[SHI_W], widest = 0;
+            SHI_V b[3], w[3], mu[3], lambda[3], length, inverse, dot, gamma, k0, k1, ri;
+            SHI_M seen;
+            int panels = 1, nodes, p, j, fill = 0;
+            for (k = 0; k < 3; k++) {
+                e[k] = to[k] - from[k];
+                b[k] = to[k] - x[k];
+            }
+            mu[0] = a[1] * e[2] - a[2] * e[1];
+            mu[1] = a[2] * e[0] - a[0] * e[2];
+            mu[2] = a[0] * e[1] - a[1] * e[0];
+            dot = a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+            length = SHI_SQRT(mu[0] * mu[0] + mu[1] * mu[1] + mu[2] * mu[2]);
+            seen = (SHI_M)(length > end_on);
+            inverse = SHI_SELECT(seen, one, zero) / SHI_SELECT(seen, length, one);
+            ri = one / SHI_SELECT(seen, r, one);
+            for (k = 0; k < 3; k++) {
+                mu[k] = mu[k] * inverse;
+                w[k] = a[k] * ri;
+            }
+            lambda[0] = mu[1] * w[2] - mu[2] * w[1];
+            lambda[1] = mu[2] * w[0] - mu[0] * w[2];
+            lambda[2] = mu[0] * w[1] - mu[1] * w[0];
+            gamma = SHI_SELECT(seen, SHI_KN(shi_polygon_angle)(length, dot), zero);
+            k0 = ri;
+            k1 = -((e[0] * w[0] + e[1] * w[1] + e[2] * w[2]) * inverse);
+            {   /* exterior angle at a, between the last edge seen and this one */
+                const SHI_V c0 = before[1] * mu[2] - before[2] * mu[1], c1 = before[2] * mu[0] - before[0] * mu[2],
+                            c2 = before[0] * mu[1] - before[1] * mu[0];
+                const SHI_V y = w[0] * c0 + w[1] * c1 + w[2] * c2, z = before[0] * mu[0] + before[1] * mu[1] + before[2] * mu[2];
+                const SHI_V angle = SHI_KN(shi_polygon_angle)(SHI_ABS(y), z);
+                const SHI_M any = (SHI_M)(have > zero), start = seen & SHI_NOT(any);
+                turn += SHI_SELECT(seen & any, SHI_SELECT(y < zero, -angle, angle), zero);
+                for (k = 0; k < 3; k++) {
+                    before[k] = SHI_SELECT(seen, mu[k], before[k]);
+                    first[k] = SHI_SELECT(start, mu[k], first[k]);
+                    corner[k] = SHI_SELECT(start, w[k], corner[k]);
+                }
+                have = SHI_SELECT(seen, one, have);
+            }
+            {
+                const SHI_V in = SHI_SELECT(small, zero, gamma);
+                SHI_STORE(tmp, in);
+                for (k = 0; k < SHI_W; k++) if (tmp[k] > widest) widest = tmp[k];
+            }
+            while ((nodes = shi_gauss_count(0.5 * n * (double)widest / panels, SHI_BITS == 64 ? 1 : 2)) > 16) panels++;
+            for (l = 0; l < ns * (ns + 1); l++) s[l] = zero;
+            for (l = 0; l < nt * (nt + 1); l++) t[l] = zero;
+            for (p = 0; p < panels; p++) {
+                for (j = 0; j < nodes; j++) {
+                    double weight;
+                    const double at = (p + shi_gauss_node(nodes, j, &weight)) / panels;
+                    SHI_V *const o = node + 5 * fill, c, sine;
+                    SHI_KN(shi_polygon_turn)((SHI_T)at * gamma, &c, &sine);
+                    for (k = 0; k < 3; k++) o[k] = c * w[k] + sine * lambda[k];
+                    o[3] = (SHI_T)(weight / panels) * (gamma * wide_factor);
+                    o[4] = o[3] * (c * k0 + sine * k1);
+                    if (++fill == SHI_KN(shi_nodes_at_once) || (p + 1 == panels && j + 1 == nodes)) {
+                        if (fill & 1) {
+                            SHI_V *const last = node + 5 * fill++;
+                            last[0] = last[1] = last[3] = last[4] = zero;
+                            last[2] = one;
+                        }
+                        SHI_KN(shi_polygon_sums)(ns, nt, fill, node, s, t);
+                        fill = 0;
+                    }
+                }
+            }
+            {
+                SHI_V *out = totals + SHI_FLUX_AT(n);
+                for (l = 0; l < flux; l++) {
+                    out[l] += mu[0] * s[l];
+                    out[flux + l] += mu[1] * s[l];
+                    out[2 * flux + l] += mu[2] * s[l];
+                }
+                out = totals + SHI_SLOPE_AT(n);
+                for (l = 0; gradient && l < slope; l++) {
+                    out[l] += mu[0] * t[l];
+                    out[slope + l] += mu[1] * t[l];
+                    out[2 * slope + l] += mu[2] * t[l];
+                }
+            }
+            for (k = 0; k < 3; k++) a[k] = b[k];
+            r = SHI_SQRT(a[0] * a[0] + a[1] * a[1] + a[2] * a[2]);
+        }
+        {
+            const SHI_T whole = SHI_C(6.28318530717958647692), half = SHI_C(3.14159265358979323846);
+            const SHI_V c0 = before[1] * first[2] - before[2] * first[1], c1 = before[2] * first[0] - before[0] * first[2],
+                        c2 = before[0] * first[1] - before[1] * first[0];
+            const SHI_V y = corner[0] * c0 + corner[1] * c1 + corner[2] * c2, z = before[0] * first[0] + before[1] * first[1] + before[2] * first[2];
+            const SHI_V angle = SHI_KN(shi_polygon_angle)(SHI_ABS(y), z);
+            SHI_V exact;
+            turn += SHI_SELECT(y < zero, -angle, angle);
+            exact = -turn;
+            for (i = 0; i <= count / 2 + 1; i++) {
+                exact += SHI_SELECT(exact < sum - half, whole + zero, zero);
+                exact -= SHI_SELECT(exact > sum + half, whole + zero, zero);
+            }
+            exact = SHI_SELECT(SHI_ABS(sum) < SHI_C(0.5), sum, exact);
+            *omega += wide_factor * exact;
+        }
+    }
+    *hard = bad;
+}
 /* ================================================================================================================
  * Public functions: once per precision. First, once, the engine of the single-item calls: always double.
  * ============================================================================================================= */
@@ -3911,24 +4301,6 @@ SHI_INLINE int shi_scene_arc(const shi_scene *p, size_t i, shi_arc *e)
     e->k0 = 1 / r;
     e->k1 = -shi_dot3(u, e->w) / size;
     return 1;
-}
-
-/* nodes that integrate cos(x t) over [-1,1] to 1e-17 (tight) or 2e-10 of its length, for x below the limit */
-SHI_INLINE int shi_gauss_count(double x, int tight)
-{
-    static const double limit[2][16] = {
-        { 3.4e-5, 0.015, 0.135, 0.437, 0.932, 1.58, 2.37, 3.29, 4.31, 5.37, 6.55, 7.76, 9.01, 10.2, 11.6, 13.0 },
-        { 7e-9, 2.2e-4, 8.1e-3, 0.053, 0.173, 0.388, 0.712, 1.13, 1.67, 2.28, 2.98, 3.75, 4.62, 5.53, 6.49, 7.46 } };
-    int k = 1;
-    while (k <= 16 && x > limit[tight][k - 1]) k++;
-    return k;
-}
-/* node i of the n-point rule on [0,1] */
-SHI_INLINE double shi_gauss_node(int n, int i, double *weight)
-{
-    const int low = n / 2, j = i < low ? (n + 1) / 2 - 1 - i : i - low;
-    *weight = 0.5 * shi_gauss_w[n * n / 4 + j];
-    return i < low ? 0.5 * (1 - shi_gauss_x[n * n / 4 + j]) : 0.5 * (1 + shi_gauss_x[n * n / 4 + j]);
 }
 
 /* ---- collecting nodes for the kernel ---- */
@@ -4496,6 +4868,193 @@ SH_API int SHI_FN(sh_triangle_as_sphere)(int bands, int sides, const SHI_T point
     if (grad) SHI_FN(shi_polygon_store)(3 * size, g, grad);
     if (error) SHI_FN(shi_polygon_store)(1, &e, error);
     return status;
+}
+
+/* ---- many polygons, many points ---- */
+
+SHI_INLINE int SHI_FN(shi_polygons_check)(int bands, int planes, int channels, int sides, size_t points, const SHI_T *point,
+                                          size_t polygons, const int *counts, const SHI_T *vertices, const SHI_T *radiance, const SHI_T *out)
+{
+    const size_t bytes = points * (size_t)channels * (size_t)(planes * bands * bands) * sizeof *out;
+    size_t i, total = 0;
+    if (bands < 1 || bands > SH_MAX_POLYGON_BANDS) return SH_ERROR_BANDS;
+    if ((planes != SH_VALUES && planes != SH_GRADIENT) || channels < 1 || (!radiance && channels != 1)) return SH_ERROR_COUNT;
+    if (sides < SH_BOTH || sides > SH_SIGNED) return SH_ERROR_OPTION;
+    if (!points) return SH_OK;
+    if (!out || (polygons && (!counts || !vertices))) return SH_ERROR_NULL;
+    for (i = 0; i < polygons; i++) {
+        if (counts[i] < 3) return SH_ERROR_VERTICES;
+        total += (size_t)counts[i];
+    }
+    if (!SHI_FN(shi_finite)(vertices, 3 * total)) return SH_ERROR_NOT_FINITE;
+    if (shi_overlap(out, bytes, point, 3 * points * sizeof *point) || shi_overlap(out, bytes, vertices, 3 * total * sizeof *vertices)
+        || shi_overlap(out, bytes, counts, polygons * sizeof *counts)
+        || shi_overlap(out, bytes, radiance, (size_t)channels * polygons * sizeof *radiance)) return SH_ERROR_OVERLAP;
+    return SH_OK;
+}
+
+/* W points at a time; up to three channels share a pass over the polygons.
+ * work: (channels of a pass, plus 1 if more than one) totals; then 2 (n+1)(n+2) vectors of sums, 4 N of results */
+SHI_INLINE int SHI_FN(shi_polygons_with)(int n, int planes, int channels, int sides, size_t points, const SHI_T *point,
+                                         const SHI_FN(sh_grid) *grid, size_t first, size_t polygons, const int *counts,
+                                         const SHI_T *vertices, const SHI_T *radiance, SHI_T *out, SHI_MANY(shi_vector) *work)
+{
+    const int lanes = SHI_MANY(shi_polygon_lanes), size = n * n, rows = planes * size, totals = SHI_TOTALS(n);
+    const size_t row = (size_t)rows, stride = (size_t)channels * row;
+    SHI_MANY(shi_vector) *const scratch = work + 3 * totals, *const sums = work + 4 * totals, *const results = sums + 2 * (n + 1) * (n + 2);
+    SHI_FN(shi_rules) rules;
+    size_t p, g;
+    int c, k, i, l, status = SH_OK;
+    SHI_FN(shi_make_rules)(&rules);
+    for (p = 0; p < points; p += (size_t)lanes) {
+        const int used = points - p < (size_t)lanes ? (int)(points - p) : lanes;
+        SHI_T x[3 * SHI_MANY(shi_polygon_lanes)], axis[SHI_MANY(shi_polygon_lanes)];
+        SHI_MANY(shi_vector) xv[3];
+        int valid[SHI_MANY(shi_polygon_lanes)];
+        for (i = 0; i < lanes; i++) {
+            const size_t at = p + (size_t)(i < used ? i : used - 1);
+            if (grid) {
+                const size_t nx = (size_t)grid->count[0], ny = (size_t)grid->count[1], node = first + at;
+                x[3 * i] = grid->origin[0] + (SHI_T)(node % nx) * grid->cell[0];
+                x[3 * i + 1] = grid->origin[1] + (SHI_T)(node / nx % ny) * grid->cell[1];
+                x[3 * i + 2] = grid->origin[2] + (SHI_T)(node / nx / ny) * grid->cell[2];
+            } else {
+                for (k = 0; k < 3; k++) x[3 * i + k] = point[3 * at + (size_t)k];
+            }
+            valid[i] = SHI_FN(shi_finite)(x + 3 * i, 3);
+            if (!valid[i]) {
+                if (i < used) status = SH_ERROR_NOT_FINITE;
+                x[3 * i] = x[3 * i + 1] = x[3 * i + 2] = 0;
+            }
+        }
+        for (k = 0; k < 3; k++) {
+            for (i = 0; i < lanes; i++) axis[i] = x[3 * i + k];
+            xv[k] = SHI_MANY(shi_load)(axis);
+        }
+        for (c = 0; c < channels; c += 3) {
+            const int pass = channels - c < 3 ? channels - c : 3;
+            SHI_MANY(shi_vector) omega[4];
+            const SHI_T *v = vertices;
+            int any = 0;
+            for (l = 0; l < pass * totals; l++) work[l] = SHI_MANY(shi_splat)(0);
+            omega[0] = omega[1] = omega[2] = SHI_MANY(shi_splat)(0);
+            for (g = 0; g < polygons; v += 3 * counts[g++]) {
+                SHI_MANY(shi_mask) hard;
+                if (pass == 1) {
+                    SHI_MANY(shi_polygon_block)(n, planes, sides, &rules, xv, (size_t)counts[g], v,
+                        radiance ? radiance[(size_t)c * polygons + g] : SHI_C(1), work, omega, &hard, sums);
+                } else {
+                    for (l = 0; l < totals; l++) scratch[l] = SHI_MANY(shi_splat)(0);
+                    omega[3] = SHI_MANY(shi_splat)(0);
+                    SHI_MANY(shi_polygon_block)(n, planes, sides, &rules, xv, (size_t)counts[g], v, SHI_C(1), scratch, omega + 3, &hard, sums);
+                    for (k = 0; k < pass; k++) {
+                        const SHI_T r = radiance[(size_t)(c + k) * polygons + g];
+                        SHI_MANY(shi_vector) *const to = work + k * totals;
+                        for (l = 0; l < totals; l++) to[l] += r * scratch[l];
+                        omega[k] += r * omega[3];
+                    }
+                }
+                any |= SHI_MANY(shi_any)(hard);
+            }
+            for (k = 0; k < pass; k++) {
+                SHI_T *const to = out + p * stride + (size_t)(c + k) * row;
+                SHI_MANY(shi_polygon_finish)(n, planes, work + k * totals, results);
+                results[0] += omega[k] * SHI_C(0.28209479177387814347);
+                for (i = 0; i < used; i++)
+                    for (l = 0; valid[i] && l < rows; l++)
+                        to[(size_t)i * stride + (size_t)l] = ((const SHI_T *)(const void *)results)[l * lanes + i];
+            }
+            if (!any) continue;
+            for (l = 0; l < totals; l++) scratch[l] = SHI_MANY(shi_splat)(0);
+            for (g = 0, v = vertices; g < polygons; v += 3 * counts[g++]) {         /* rare: points in the plane of a light */
+                SHI_MANY(shi_mask) hard;
+                SHI_I marks[SHI_MANY(shi_polygon_lanes)];
+                SHI_MANY(shi_polygon_block)(n, planes, sides, &rules, xv, (size_t)counts[g], v, SHI_C(0), scratch, omega + 3, &hard, sums);
+                memcpy(marks, &hard, sizeof marks);
+                for (i = 0; i < used; i++) {
+                    double y[3], value[SH_MAX_POLYGON_BANDS * SH_MAX_POLYGON_BANDS], grad[3 * SH_MAX_POLYGON_BANDS * SH_MAX_POLYGON_BANDS];
+                    int one;
+                    if (!marks[i] || !valid[i]) continue;
+                    for (k = 0; k < 3; k++) y[k] = (double)x[3 * i + k];
+                    one = shi_polygon_engine(n, sides, SHI_BITS == 64, y, (size_t)counts[g], v, SHI_BITS == 32, value,
+                                             planes == SH_GRADIENT ? grad : NULL, NULL);
+                    if (one > status && status >= 0) status = one;
+                    for (k = 0; k < pass; k++) {
+                        const double r = radiance ? (double)radiance[(size_t)(c + k) * polygons + g] : 1;
+                        SHI_T *const to = out + (p + (size_t)i) * stride + (size_t)(c + k) * row;
+                        for (l = 0; l < rows; l++) to[l] = (SHI_T)((double)to[l] + r * (l < size ? value[l] : grad[l - size]));
+                    }
+                }
+            }
+        }
+    }
+    return status;
+}
+
+#define SHI_POLYGON_WORK(n) (4 * SHI_TOTALS(n) + 2 * ((n) + 1) * ((n) + 2) + 4 * (n) * (n))
+SHI_NOINLINE int SHI_FN(shi_polygons_10)(int n, int planes, int channels, int sides, size_t points, const SHI_T *point,
+                                         const SHI_FN(sh_grid) *grid, size_t first, size_t polygons, const int *counts,
+                                         const SHI_T *vertices, const SHI_T *radiance, SHI_T *out)
+{
+    SHI_MANY(shi_vector) work[SHI_POLYGON_WORK(10)];
+    return SHI_FN(shi_polygons_with)(n, planes, channels, sides, points, point, grid, first, polygons, counts, vertices, radiance, out, work);
+}
+SHI_NOINLINE int SHI_FN(shi_polygons_16)(int n, int planes, int channels, int sides, size_t points, const SHI_T *point,
+                                         const SHI_FN(sh_grid) *grid, size_t first, size_t polygons, const int *counts,
+                                         const SHI_T *vertices, const SHI_T *radiance, SHI_T *out)
+{
+    SHI_MANY(shi_vector) work[SHI_POLYGON_WORK(SH_MAX_POLYGON_BANDS)];
+    return SHI_FN(shi_polygons_with)(n, planes, channels, sides, points, point, grid, first, polygons, counts, vertices, radiance, out, work);
+}
+SHI_INLINE int SHI_FN(shi_polygons_any)(int n, int planes, int channels, int sides, size_t points, const SHI_T *point,
+                                        const SHI_FN(sh_grid) *grid, size_t first, size_t polygons, const int *counts,
+                                        const SHI_T *vertices, const SHI_T *radiance, SHI_T *out)
+{
+    return n <= 10 ? SHI_FN(shi_polygons_10)(n, planes, channels, sides, points, point, grid, first, polygons, counts, vertices, radiance, out)
+                   : SHI_FN(shi_polygons_16)(n, planes, channels, sides, points, point, grid, first, polygons, counts, vertices, radiance, out);
+}
+
+/* Sums of many polygons at many points: the fast path, SIMD over points, in T.
+ *
+ *   planes    SH_VALUES or SH_GRADIENT
+ *   channels  >= 1
+ *   point     [points][3]
+ *   counts    [polygons]: vertices of each, >= 3
+ *   vertices  [sum of counts][3], polygon after polygon
+ *   radiance  [channels][polygons], or NULL: 1, one channel
+ *   out       [points][channels][planes][N]
+ *
+ * Degenerate cases as sh_polygon (which computes them); status SH_ON_LIGHT if any point lies on a polygon. A polygon that is not
+ * valid is an error before anything is written; a point that is not finite is an error and leaves its own outputs.
+ * Error per polygon:  see SHI_FAST_ERROR in docs/polygons.md.
+ * Stack: up to 150 KiB to 10 bands, 350 KiB beyond. One channel costs least; three share a pass.
+ * Source: as sh_polygon; small lights by rules of degree 1 to 18 over the fan, chosen by bands times angular diameter. */
+SH_API int SHI_FN(sh_polygons_n)(int bands, int planes, int channels, int sides, size_t points, const SHI_T *point,
+                                 size_t polygons, const int *counts, const SHI_T *vertices, const SHI_T *radiance, SHI_T *out)
+{
+    const int status = points && !point ? SH_ERROR_NULL
+                     : SHI_FN(shi_polygons_check)(bands, planes, channels, sides, points, point, polygons, counts, vertices, radiance, out);
+    if (status || !points) return status;
+    return SHI_FN(shi_polygons_any)(bands, planes, channels, sides, points, point, NULL, 0, polygons, counts, vertices, radiance, out);
+}
+
+/* One point: out[channels][planes][N]. */
+SH_API int SHI_FN(sh_polygons)(int bands, int planes, int channels, int sides, const SHI_T point[3],
+                               size_t polygons, const int *counts, const SHI_T *vertices, const SHI_T *radiance, SHI_T *out)
+{
+    return SHI_FN(sh_polygons_n)(bands, planes, channels, sides, 1, point, polygons, counts, vertices, radiance, out);
+}
+
+/* Nodes first .. first+nodes-1 of a grid (x fastest), as sh_spheres_grid: out[nodes][channels][planes][N]. */
+SH_API int SHI_FN(sh_polygons_grid)(int bands, int planes, int channels, int sides, const SHI_FN(sh_grid) *grid, size_t first, size_t nodes,
+                                    size_t polygons, const int *counts, const SHI_T *vertices, const SHI_T *radiance, SHI_T *out)
+{
+    int status;
+    if (!grid) return SH_ERROR_NULL;
+    status = SHI_FN(shi_check_grid)(grid, first, nodes);
+    if (!status) status = SHI_FN(shi_polygons_check)(bands, planes, channels, sides, nodes, NULL, polygons, counts, vertices, radiance, out);
+    if (status || !nodes) return status;
+    return SHI_FN(shi_polygons_any)(bands, planes, channels, sides, nodes, NULL, grid, first, polygons, counts, vertices, radiance, out);
 }
 
 #endif /* rooms */
