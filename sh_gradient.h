@@ -328,6 +328,7 @@ SHI_INLINE int shi_overlap(const void *a, size_t a_bytes, const void *b, size_t 
 #define SHI_SPLAT(s)    SHI_KN(shi_splat)(s)
 #define SHI_LOAD(p)     SHI_KN(shi_load)(p)
 #define SHI_STORE(p, v) SHI_KN(shi_store)(p, v)
+#define SHI_PUT(p, v, stride) SHI_KN(shi_put)(p, v, stride)
 #define SHI_SQRT(v)     SHI_KN(shi_sqrt)(v)
 #define SHI_ABS(v)      SHI_KN(shi_abs)(v)
 #define SHI_SUM(v)      SHI_KN(shi_sum)(v)
@@ -350,6 +351,7 @@ SHI_INLINE int shi_overlap(const void *a, size_t a_bytes, const void *b, size_t 
 #undef SHI_SPLAT
 #undef SHI_LOAD
 #undef SHI_STORE
+#undef SHI_PUT
 #undef SHI_SQRT
 #undef SHI_ABS
 #undef SHI_SUM
@@ -376,6 +378,10 @@ __extension__ typedef SHI_I SHI_M __attribute__((__vector_size__(SHI_BYTES)));
 
 SHI_KERNEL SHI_V SHI_LOAD(const SHI_T *p)          { SHI_V v; memcpy(&v, p, sizeof v); return v; }
 SHI_KERNEL void  SHI_STORE(SHI_T *p, SHI_V v)      { memcpy(p, &v, sizeof v); }
+SHI_KERNEL void  SHI_PUT(SHI_T *p, SHI_V v, int stride)    /* in kernels: stride 1 is one item, the first lane */
+{
+    memcpy(p, &v, stride == 1 ? sizeof(SHI_T) : sizeof v);
+}
 SHI_KERNEL SHI_M SHI_BITS_OF(SHI_V v)              { SHI_M m; memcpy(&m, &v, sizeof m); return m; }
 #if SHI_LANES == 1
 SHI_KERNEL SHI_V SHI_SPLAT(SHI_T s)                { return s; }
@@ -573,7 +579,7 @@ SHI_KERNEL void SHI_KN(shi_load3)(const SHI_T *p, int lanes, SHI_V v[3])
 }
 
 /* block[rows][W], rows `pitch` elements apart, to W rows of out, `stride` apart, the first `lanes` of them */
-SHI_KERNEL void SHI_KN(shi_transpose)(const SHI_T *block, int pitch, int rows, SHI_T *out, size_t stride, int lanes)
+SHI_KERNEL void SHI_KN(shi_transpose_block)(const SHI_T *block, int pitch, int rows, SHI_T *out, size_t stride, int lanes)
 {
     int r = 0, i;
 #if SHI_LANES > 1
@@ -604,7 +610,7 @@ SHI_INLINE void SHI_KN(shi_scatter)(const SHI_T *block, int rows, SHI_T *out, si
 {
     int i;
     for (i = 0; i < lanes; i += SHI_W)
-        SHI_KN(shi_transpose)(block + i, SH_BLOCK, rows, out + (size_t)i * stride, stride, lanes - i < SHI_W ? lanes - i : SHI_W);
+        SHI_KN(shi_transpose_block)(block + i, SH_BLOCK, rows, out + (size_t)i * stride, stride, lanes - i < SHI_W ? lanes - i : SHI_W);
 }
 
 /* ---- basis: the bodies in the SHI_BASIS room, unrolled for a band count known when compiling, and for any ---- */
@@ -725,9 +731,9 @@ SHI_NOINLINE int SHI_KN(shi_angles)(int n, size_t count, const SHI_T *theta, con
         }
         if (good) {
             SHI_KN(shi_angles_any)(n, SHI_LOAD(a[0]), SHI_LOAD(a[1]), SHI_LOAD(a[2]), SHI_LOAD(a[3]), stage, tb, pb, SHI_W);
-            if (y) SHI_KN(shi_transpose)(stage, SHI_W, size, y + p * step, step, lanes);
-            if (dt) SHI_KN(shi_transpose)(tb, SHI_W, size, dt + p * step, step, lanes);
-            if (dp) SHI_KN(shi_transpose)(pb, SHI_W, size, dp + p * step, step, lanes);
+            if (y) SHI_KN(shi_transpose_block)(stage, SHI_W, size, y + p * step, step, lanes);
+            if (dt) SHI_KN(shi_transpose_block)(tb, SHI_W, size, dt + p * step, step, lanes);
+            if (dp) SHI_KN(shi_transpose_block)(pb, SHI_W, size, dp + p * step, step, lanes);
         } else if (SHI_W == 1) {
             status = SH_ERROR_NOT_FINITE;
         } else {
@@ -742,7 +748,6 @@ SHI_NOINLINE int SHI_KN(shi_angles)(int n, size_t count, const SHI_T *theta, con
     return status;
 }
 
-#if SHI_LANES == 1
 SHI_NOINLINE int SHI_KN(shi_single_values)(int n, const SHI_T v[3], SHI_T *y)
 {
     SHI_BANDS(n, SHI_KN(shi_one_fixed), SHI_KN(shi_one_any), SH_VALUES, v, y, 1, y, 0, y, 0)
@@ -760,32 +765,9 @@ SHI_NOINLINE int SHI_KN(shi_single_gradient)(int n, const SHI_T v[3], SHI_T *y, 
 }
 SHI_NOINLINE int SHI_KN(shi_single_hessian)(int n, const SHI_T v[3], SHI_T *y, SHI_T *g, SHI_T *h)
 {
-    SHI_T discard;
-    return SHI_KN(shi_one_any)(n, SH_HESSIAN, v, y ? y : &discard, y != NULL, g ? g : &discard, g != NULL, h ? h : &discard, h != NULL);
+    SHI_T discard[SH_BLOCK];
+    return SHI_KN(shi_one_any)(n, SH_HESSIAN, v, y ? y : discard, y != NULL, g ? g : discard, g != NULL, h ? h : discard, h != NULL);
 }
-
-/* directions one at a time, with the bits of single calls: the status of the last bad one, whose outputs stay as they are */
-SHI_NOINLINE int SHI_FN(shi_one_by_one)(int n, int planes, size_t count, const SHI_T *dirs, int axis, int next,
-                                        SHI_T *y, int ys, int y_next, SHI_T *g, int gs, int g_next, SHI_T *h, int hs, int h_next)
-{
-    SHI_T t[4 * SHI_UNROLLED_BANDS * SHI_UNROLLED_BANDS];
-    const int size = n * n, direct = planes == SH_HESSIAN || n > SHI_UNROLLED_BANDS;
-    int status = SH_OK, ok, k;
-    size_t p;
-    for (p = 0; p < count; p++, dirs += next, y += y_next, g += g_next, h += h_next) {
-        SHI_T v[3];
-        for (k = 0; k < 3; k++) v[k] = dirs[k * axis];
-        if (direct && planes == SH_VALUES) ok = SHI_KN(shi_one_any)(n, SH_VALUES, v, y, ys, g, 0, h, 0);
-        else if (direct && planes == SH_GRADIENT) ok = SHI_KN(shi_one_any)(n, SH_GRADIENT, v, y, ys, g, gs, h, 0);
-        else if (direct) ok = SHI_KN(shi_one_any)(n, SH_HESSIAN, v, y, ys, g, gs, h, hs);
-        else ok = planes == SH_VALUES ? SHI_KN(shi_single_values)(n, v, t) : SHI_KN(shi_single_both)(n, v, t, t + size);
-        if (!ok) status = SHI_FN(shi_direction_status)(v);
-        for (k = 0; k < size && ok && !direct; k++) y[k * ys] = t[k];
-        for (k = 0; k < 3 * size && ok && !direct && planes == SH_GRADIENT; k++) g[k * gs] = t[size + k];
-    }
-    return status;
-}
-#endif
 
 /* ---- sum c_i Y_i at W directions, the basis never stored ----
  *
@@ -940,9 +922,9 @@ SHI_KERNEL int SHI_KN(shi_sums)(int n, int horner, int with_grad, const SHI_T *a
                 for (k = 0; k < 3; k++) SHI_STORE(out[k + 1], inverse * (f[k] - radial * u[k]));
             }
             for (i = 0; i < lanes; i++) {
-                const int bad = good ? SH_OK : SHI_FN(shi_direction_status)(dirs + 3 * p + 3 * i);
-                if (bad) {
-                    status = bad;
+                const SHI_T *const d = dirs + 3 * (p + (size_t)i);
+                if (!good && !SHI_ONE(shi_in_range)(d[0] * d[0] + d[1] * d[1] + d[2] * d[2], SHI_MIN2, SHI_MAX2)) {
+                    status = SHI_FN(shi_direction_status)(d);
                     continue;
                 }
                 if (values) values[p + (size_t)i] = out[0][i];
@@ -998,18 +980,22 @@ SHI_KERNEL int SHI_KN(shi_light_weights)(int n, int kinds, const SHI_T point[3],
     const SHI_M dark = (SHI_M)(radius == zero), inside = (SHI_M)(gap <= zero) & (SHI_M)(radius > zero);
     const SHI_M none = dark | inside;
     const SHI_V i = SHI_C(1) / SHI_SQRT(SHI_SELECT(none, one, dx * dx + dy * dy + dz * dz));
-    const SHI_V x = -(dx * i), y = -(dy * i), z = dz * i, s = SHI_SELECT(none, zero, radius * i), s2 = s * s;
-    const SHI_V alpha = SHI_SELECT(none, one, SHI_SQRT(SHI_SELECT(none, one, gap)) * i);
+    const SHI_V s = SHI_SELECT(none, zero, radius * i), s2 = s * s;
+    const SHI_V alpha = SHI_SELECT(none, one, SHI_SQRT(SHI_SELECT(none, one, gap)) * i), kappa = s2 / (SHI_C(1) + alpha);
     const SHI_V k = SHI_C(6.2831853071795865) * s2, q = s2 * i / alpha, k1 = SHI_C(-6.2831853071795865) * q;
     SHI_V *c = pool, *v = c + levels * nb, *w = v + levels * nb;
-    SHI_V p0 = zero, p1 = one, d0 = zero, d1 = zero, uc = radiance, us = zero;
+    SHI_V p = one, step = zero, slope = zero, uc = radiance, us = zero, u[3];
     int l, m, t;
-    pool[2 * levels * nb + kinds * levels * nb] = z;
+    u[0] = dx * i;
+    u[1] = dy * i;
+    u[2] = dz * i;
+    (void)SHI_KN(shi_polish)(u, u);
+    pool[2 * levels * nb + kinds * levels * nb] = u[2];
     for (m = 0; m < levels; m++) {                              /* U_m, V_m times radiance */
-        const SHI_V next = x * uc - y * us;
+        const SHI_V next = u[1] * us - u[0] * uc;
         c[m * nb] = uc;
         v[m * nb] = us;
-        us = x * us + y * uc;
+        us = -(u[0] * us + u[1] * uc);
         uc = next;
     }
     for (t = 0; t < kinds; t++)                                 /* bands a kind does not reach */
@@ -1020,23 +1006,22 @@ SHI_KERNEL int SHI_KN(shi_light_weights)(int n, int kinds, const SHI_T point[3],
 #define SHI_WEIGHT(kind, band) w[((kind) * levels + (band)) * nb]
     for (l = 0; l < n; l++) {
         SHI_V f;
-        if (l > 0) {                                            /* p1 = P_l, d1 = P_l' */
-            const SHI_V p = (SHI_C(2 * l - 1) * (alpha * p1) - SHI_C(l - 1) * p0) * SHI_FN(shi_reciprocal)[l];
-            d0 = d1;
-            d1 = SHI_C(l) * p1 + alpha * d0;
-            p0 = p1;
-            p1 = p;
-            f = k * (d1 * (SHI_FN(shi_reciprocal)[l] * SHI_FN(shi_reciprocal)[l + 1]));
+        if (l > 0) {                                            /* P_l' and P_l by differences, as in shi_cap */
+            const SHI_T r = SHI_FN(shi_reciprocal)[l];
+            slope = slope + (SHI_C(l) * p - kappa * slope);
+            step = (SHI_C(l - 1) * step - SHI_C(2 * l - 1) * (kappa * p)) * r;
+            p = p + step;
+            f = k * (slope * (r * SHI_FN(shi_reciprocal)[l + 1]));
         } else {
-            f = SHI_SELECT(inside, SHI_SPLAT(SHI_C(12.566370614359172)), k / (SHI_C(1) + alpha));
+            f = SHI_SELECT(inside, SHI_SPLAT(SHI_C(12.566370614359172)), SHI_C(6.2831853071795865) * kappa);
         }
         SHI_WEIGHT(0, l) = f;
         if (kinds >= 3) {
-            const SHI_V g = SHI_SELECT(inside, zero, f) * i, f1 = k1 * p1;
+            const SHI_V g = SHI_SELECT(inside, zero, f) * i, f1 = k1 * p;
             if (l > 0) SHI_WEIGHT(1, l - 1) = f1 + SHI_C(l + 1) * g;
             SHI_WEIGHT(2, l + 1) = f1 - SHI_C(l) * g;
             if (kinds == SHI_ALL_KINDS) {
-                const SHI_V f2 = SHI_C(6.2831853071795865) * (p1 * (SHI_C(3) * (q * i) + q * q / alpha) - d1 * (q * q));
+                const SHI_V f2 = SHI_C(6.2831853071795865) * (p * (SHI_C(3) * (q * i) + q * q / alpha) - slope * (q * q));
                 const SHI_V h = (f1 - g) * i;
                 if (l > 1) SHI_WEIGHT(3, l - 2) = (f2 + SHI_C(l + 1) * h) + SHI_C(l) * ((f1 + SHI_C(l + 1) * g) * i);
                 SHI_WEIGHT(4, l) = f2 + SHI_C(2) * (f1 * i) - SHI_C(l * (l + 1)) * (g * i);
@@ -1316,10 +1301,10 @@ SHI_KERNEL void SHI_BN(shi_values)(int n, const SHI_V u[3], SHI_T *y, int stride
         for (l = m; l < n; l++) {
             SHI_T *const at = y + (l * l + l) * stride;
             if (m == 0) {
-                SHI_STORE(at, q[l]);
+                SHI_PUT(at, q[l], stride);
             } else {
-                SHI_STORE(at + m * stride, q[l] * c);
-                SHI_STORE(at - m * stride, q[l] * s);
+                SHI_PUT(at + m * stride, q[l] * c, stride);
+                SHI_PUT(at - m * stride, q[l] * s, stride);
             }
         }
         if (m > 0) {
@@ -1360,20 +1345,20 @@ SHI_KERNEL void SHI_BN(shi_gradient)(int n, const SHI_V u[3], SHI_V i, SHI_T *y,
                 const SHI_V b = m == 0 ? z * d : SHI_C(m) * q + z * d, e = d - z * b;        /* u.F' and F'_z - z u.F', over U_m */
                 const int at = l * l + l;
                 if (m == 0) {
-                    SHI_STORE(y + at * y_stride, q);
-                    SHI_STORE(gx + at * stride, -(xi * b));
-                    SHI_STORE(gy + at * stride, -(vi * b));
-                    SHI_STORE(gz + at * stride, i * e);
+                    SHI_PUT(y + at * y_stride, q, y_stride);
+                    SHI_PUT(gx + at * stride, -(xi * b), stride);
+                    SHI_PUT(gy + at * stride, -(vi * b), stride);
+                    SHI_PUT(gz + at * stride, i * e, stride);
                 } else {
                     const SHI_V qc = q * mc, qs = q * ms;
-                    SHI_STORE(y + (at + m) * y_stride, q * c);
-                    SHI_STORE(y + (at - m) * y_stride, q * s);
-                    SHI_STORE(gx + (at + m) * stride, -(xc * b) - qc);
-                    SHI_STORE(gx + (at - m) * stride, -(xs * b) - qs);
-                    SHI_STORE(gy + (at + m) * stride, qs - vc * b);
-                    SHI_STORE(gy + (at - m) * stride, -(vs * b) - qc);
-                    SHI_STORE(gz + (at + m) * stride, ic * e);
-                    SHI_STORE(gz + (at - m) * stride, is * e);
+                    SHI_PUT(y + (at + m) * y_stride, q * c, y_stride);
+                    SHI_PUT(y + (at - m) * y_stride, q * s, y_stride);
+                    SHI_PUT(gx + (at + m) * stride, -(xc * b) - qc, stride);
+                    SHI_PUT(gx + (at - m) * stride, -(xs * b) - qs, stride);
+                    SHI_PUT(gy + (at + m) * stride, qs - vc * b, stride);
+                    SHI_PUT(gy + (at - m) * stride, -(vs * b) - qc, stride);
+                    SHI_PUT(gz + (at + m) * stride, ic * e, stride);
+                    SHI_PUT(gz + (at - m) * stride, is * e, stride);
                 }
             }
         }
@@ -1383,7 +1368,7 @@ SHI_KERNEL void SHI_BN(shi_gradient)(int n, const SHI_V u[3], SHI_V i, SHI_T *y,
 /* one coefficient's value, gradient and Hessian from F' and F'' of its polynomial: with t = P F', k = u.F',
  * w = F'' u and p = w + t - (u.w + k) u / 2, the Hessian of Y(v/|v|) is (F'' - u p' - p u' - k I) / |v|^2 */
 SHI_KERNEL void SHI_BN(shi_second)(const SHI_V u[3], SHI_V i, SHI_V value, const SHI_V f[3], const SHI_V h[6],
-                                   SHI_T *y, SHI_T *g, int g_plane, SHI_T *out, int plane)
+                                   SHI_T *y, int y_stride, SHI_T *g, int g_stride, int g_plane, SHI_T *out, int stride, int plane)
 {
     const SHI_V k = u[0] * f[0] + u[1] * f[1] + u[2] * f[2], ii = i * i;
     const SHI_V wx = h[0] * u[0] + h[1] * u[1] + h[2] * u[2];
@@ -1392,16 +1377,16 @@ SHI_KERNEL void SHI_BN(shi_second)(const SHI_V u[3], SHI_V i, SHI_V value, const
     const SHI_V half = SHI_C(0.5) * ((wx * u[0] + wy * u[1] + wz * u[2]) + k);
     const SHI_V tx = f[0] - k * u[0], ty = f[1] - k * u[1], tz = f[2] - k * u[2];
     const SHI_V px = wx + tx - half * u[0], py = wy + ty - half * u[1], pz = wz + tz - half * u[2];
-    SHI_STORE(y, value);
-    SHI_STORE(g, i * tx);
-    SHI_STORE(g + g_plane, i * ty);
-    SHI_STORE(g + 2 * g_plane, i * tz);
-    SHI_STORE(out, ii * (h[0] - (u[0] * px + u[0] * px) - k));
-    SHI_STORE(out + plane, ii * (h[1] - (u[0] * py + px * u[1])));
-    SHI_STORE(out + 2 * plane, ii * (h[2] - (u[0] * pz + px * u[2])));
-    SHI_STORE(out + 3 * plane, ii * (h[3] - (u[1] * py + u[1] * py) - k));
-    SHI_STORE(out + 4 * plane, ii * (h[4] - (u[1] * pz + py * u[2])));
-    SHI_STORE(out + 5 * plane, ii * (h[5] - (u[2] * pz + u[2] * pz) - k));
+    SHI_PUT(y, value, y_stride);
+    SHI_PUT(g, i * tx, g_stride);
+    SHI_PUT(g + g_plane, i * ty, g_stride);
+    SHI_PUT(g + 2 * g_plane, i * tz, g_stride);
+    SHI_PUT(out, ii * (h[0] - (u[0] * px + u[0] * px) - k), stride);
+    SHI_PUT(out + plane, ii * (h[1] - (u[0] * py + px * u[1])), stride);
+    SHI_PUT(out + 2 * plane, ii * (h[2] - (u[0] * pz + px * u[2])), stride);
+    SHI_PUT(out + 3 * plane, ii * (h[3] - (u[1] * py + u[1] * py) - k), stride);
+    SHI_PUT(out + 4 * plane, ii * (h[4] - (u[1] * pz + py * u[2])), stride);
+    SHI_PUT(out + 5 * plane, ii * (h[5] - (u[2] * pz + u[2] * pz) - k), stride);
 }
 
 /* y[N], g[3][N], h[6][N] of Y(v/|v|) */
@@ -1443,7 +1428,8 @@ SHI_KERNEL void SHI_BN(shi_hessian)(int n, const SHI_V u[3], SHI_V i, SHI_T *y, 
             k[3] = -k[0];
             k[4] = dm * s1;
             k[5] = e * c0;
-            SHI_BN(shi_second)(u, i, q * c0, f, k, y + at * y_stride, g + at * g_stride, g_plane, h + at * stride, plane);
+            SHI_BN(shi_second)(u, i, q * c0, f, k, y + at * y_stride, y_stride, g + at * g_stride, g_stride, g_plane,
+                               h + at * stride, stride, plane);
             if (m > 0) {
                 at = l * l + l - m;
                 f[0] = -(qm * s1);
@@ -1455,7 +1441,8 @@ SHI_KERNEL void SHI_BN(shi_hessian)(int n, const SHI_V u[3], SHI_V i, SHI_T *y, 
                 k[3] = -k[0];
                 k[4] = -(dm * c1);
                 k[5] = e * s0;
-                SHI_BN(shi_second)(u, i, q * s0, f, k, y + at * y_stride, g + at * g_stride, g_plane, h + at * stride, plane);
+                SHI_BN(shi_second)(u, i, q * s0, f, k, y + at * y_stride, y_stride, g + at * g_stride, g_stride, g_plane,
+                               h + at * stride, stride, plane);
             }
         }
     }
@@ -1536,11 +1523,12 @@ SHI_KERNEL void SHI_BN(shi_angles)(int n, SHI_V ct, SHI_V st, SHI_V cp, SHI_V sp
     }
 }
 
-#if SHI_LANES == 1
-/* one direction; 0, and nothing written, when it is not valid */
-SHI_KERNEL int SHI_BN(shi_one)(int n, int planes, const SHI_T v[3], SHI_T *y, int ys, SHI_T *g, int gs, SHI_T *h, int hs)
+/* one direction, the registers' first lane: what a batch would give, to the bit; 0, and nothing written, when not valid */
+SHI_KERNEL int SHI_BN(shi_one)(int n, int planes, const SHI_T d[3], SHI_T *y, int ys, SHI_T *g, int gs, SHI_T *h, int hs)
 {
-    SHI_T u[3], inverse;
+    SHI_V v[3], u[3], inverse;
+    int k;
+    for (k = 0; k < 3; k++) v[k] = SHI_SPLAT(d[k]);
     if (planes == SH_VALUES && SHI_KN(shi_nearly_unit)(v, u)) inverse = u[0];
     else if (!SHI_KN(shi_unit)(v, u, &inverse)) return 0;
     if (planes == SH_VALUES) SHI_BN(shi_values)(n, u, y, ys);
@@ -1548,7 +1536,6 @@ SHI_KERNEL int SHI_BN(shi_one)(int n, int planes, const SHI_T v[3], SHI_T *y, in
     else SHI_BN(shi_hessian)(n, u, inverse, y, ys, g, gs, h, hs);
     return 1;
 }
-#endif
 
 /* ================================================================================================================
  * Public functions: once per precision. They check, and call a kernel.
@@ -1563,7 +1550,7 @@ SHI_KERNEL int SHI_BN(shi_one)(int n, int planes, const SHI_T v[3], SHI_T *y, in
 SHI_INLINE int SHI_FN(shi_check_basis)(int bands, size_t count, const SHI_T *v, const SHI_T *needed,
                                        const SHI_T *y, const SHI_T *g, const SHI_T *h)
 {
-    const size_t item = sizeof *v, in = 3 * count * item, size = (size_t)bands * (size_t)bands * count * item;
+    const size_t item = sizeof *v, in = 3 * count * item, size = (size_t)(bands * bands) * count * item;
     if (bands < 1 || bands > SH_MAX_BANDS) return SH_ERROR_BANDS;
     if (count == 0) return SH_OK;
     if (!v || !needed) return SH_ERROR_NULL;
@@ -1574,34 +1561,56 @@ SHI_INLINE int SHI_FN(shi_check_basis)(int bands, size_t count, const SHI_T *v, 
     return SH_OK;
 }
 
+/* directions one at a time, with the bits of single calls: the status of the last bad one, whose outputs stay as they are */
+SHI_NOINLINE int SHI_FN(shi_one_by_one)(int n, int planes, size_t count, const SHI_T *dirs, int axis, int next,
+                                        SHI_T *y, int ys, int y_next, SHI_T *g, int gs, int g_next, SHI_T *h, int hs, int h_next)
+{
+    SHI_T t[4 * SHI_UNROLLED_BANDS * SHI_UNROLLED_BANDS];
+    const int size = n * n, direct = planes == SH_HESSIAN || n > SHI_UNROLLED_BANDS;
+    int status = SH_OK, ok, k;
+    size_t p;
+    for (p = 0; p < count; p++, dirs += next, y += y_next, g += g_next, h += h_next) {
+        SHI_T v[3];
+        for (k = 0; k < 3; k++) v[k] = dirs[k * axis];
+        if (direct && planes == SH_VALUES) ok = SHI_MANY(shi_one_any)(n, SH_VALUES, v, y, ys, g, 0, h, 0);
+        else if (direct && planes == SH_GRADIENT) ok = SHI_MANY(shi_one_any)(n, SH_GRADIENT, v, y, ys, g, gs, h, 0);
+        else if (direct) ok = SHI_MANY(shi_one_any)(n, SH_HESSIAN, v, y, ys, g, gs, h, hs);
+        else ok = planes == SH_VALUES ? SHI_MANY(shi_single_values)(n, v, t) : SHI_MANY(shi_single_both)(n, v, t, t + size);
+        if (!ok) status = SHI_FN(shi_direction_status)(v);
+        for (k = 0; k < size && ok && !direct; k++) y[k * ys] = t[k];
+        for (k = 0; k < 3 * size && ok && !direct && planes == SH_GRADIENT; k++) g[k * gs] = t[size + k];
+    }
+    return status;
+}
+
 /* plain layout: through blocks while one fits SHI_STAGE, else one by one */
 SHI_NOINLINE int SHI_FN(shi_batch)(int n, int planes, size_t count, const SHI_T *dirs, SHI_T *y, SHI_T *g, SHI_T *h)
 {
-    SHI_T discard;
+    SHI_T discard[SH_BLOCK];
     const int s = n * n;
     if ((size_t)(s * planes * SH_BLOCK) * sizeof(SHI_T) <= SHI_STAGE) return SHI_MANY(shi_plain)(n, planes, count, dirs, y, g, h);
-    return SHI_FN(shi_one_by_one)(n, planes, count, dirs, 1, 3, y ? y : &discard, y != NULL, y ? s : 0,
-                                  g ? g : &discard, g != NULL, g ? 3 * s : 0, h ? h : &discard, h != NULL, h ? 6 * s : 0);
+    return SHI_FN(shi_one_by_one)(n, planes, count, dirs, 1, 3, y ? y : discard, y != NULL, y ? s : 0,
+                                  g ? g : discard, g != NULL, g ? 3 * s : 0, h ? h : discard, h != NULL, h ? 6 * s : 0);
 }
 
 /* f_l, df_l/dd and d2f_l/dd2 of a sphere with s = r/d, alpha = cos of the half-angle, i = 1/d; with i = 0 the second is the
- * derivative by the half-angle instead. L_lm = f_l Y_lm: f_0 = 2 pi s^2/(1+alpha), f_l = 2 pi s^2 P_l'(alpha)/(l(l+1)). */
+ * derivative by the half-angle instead. L_lm = f_l Y_lm: f_0 = 2 pi s^2/(1+alpha), f_l = 2 pi s^2 P_l'(alpha)/(l(l+1)).
+ * P_l and P_l' run by differences in kappa = 1 - alpha = s^2/(1+alpha): the rounding of alpha, times l^2 for small lights,
+ * does not enter. */
 SHI_INLINE void SHI_FN(shi_cap)(int n, SHI_T s, SHI_T alpha, SHI_T i, SHI_T *f, SHI_T *f1, SHI_T *f2)
 {
-    const SHI_T tau = SHI_C(6.2831853071795865), s2 = s * s, q = s2 * i / alpha;
-    SHI_T p0 = 0, p1 = 1, d0, d1 = 0;
+    const SHI_T tau = SHI_C(6.2831853071795865), s2 = s * s, q = s2 * i / alpha, kappa = s2 / (1 + alpha);
+    SHI_T p = 1, step = 0, slope = 0;                           /* P_l, P_l - P_{l-1}, P_l' */
     int l;
     for (l = 0; l < n; l++) {
-        if (l > 0) {                                            /* p1 = P_l, d1 = P_l' */
-            const SHI_T p = (SHI_C(2 * l - 1) * (alpha * p1) - SHI_C(l - 1) * p0) / SHI_C(l);
-            d0 = d1;
-            d1 = SHI_C(l) * p1 + alpha * d0;
-            p0 = p1;
-            p1 = p;
+        if (l > 0) {
+            slope = slope + (SHI_C(l) * p - kappa * slope);
+            step = (SHI_C(l - 1) * step - SHI_C(2 * l - 1) * (kappa * p)) / SHI_C(l);
+            p = p + step;
         }
-        f[l] = l ? tau * s2 * d1 / SHI_C(l * (l + 1)) : tau * s2 / (1 + alpha);
-        f1[l] = i > 0 ? -tau * p1 * q : tau * p1 * s;
-        f2[l] = i > 0 ? tau * (p1 * (3 * q * i + q * q / alpha) - d1 * q * q) : 0;
+        f[l] = l ? tau * s2 * slope / SHI_C(l * (l + 1)) : tau * kappa;
+        f1[l] = i > 0 ? -tau * p * q : tau * p * s;
+        f2[l] = i > 0 ? tau * (p * (3 * q * i + q * q / alpha) - slope * q * q) : 0;
     }
 }
 
@@ -1613,8 +1622,8 @@ SHI_NOINLINE int SHI_FN(shi_symmetric)(int n, const SHI_T v[3], const SHI_T *f, 
     const int size = n * n;
     int l, m, k, j, p;
     if (h && !g) g = gradient;
-    if (!(h ? SHI_ONE(shi_single_hessian)(n, v, c, g, h) : g ? SHI_ONE(shi_single_gradient)(n, v, c, g)
-                                                            : SHI_ONE(shi_single_values)(n, v, c)))
+    if (!(h ? SHI_MANY(shi_single_hessian)(n, v, c, g, h) : g ? SHI_MANY(shi_single_gradient)(n, v, c, g)
+                                                            : SHI_MANY(shi_single_values)(n, v, c)))
         return SHI_FN(shi_direction_status)(v);
     if (!SHI_ONE(shi_unit)(v, u, &i)) return SH_ERROR_DIRECTION;
     for (l = 0; l < n; l++)
@@ -1669,7 +1678,7 @@ SHI_NOINLINE int SHI_FN(shi_light_field)(int n, size_t count, const SHI_T *dirs,
         const SHI_T *const w = dirs + 3 * t, *const a = normals + 3 * t;
         const SHI_T power = solid_angles[t] * radiance[t];
         SHI_T u[3], inverse, facing, least, scale;
-        if (!SHI_ONE(shi_single_gradient)(n, w, y, grad ? g : NULL)) return SHI_FN(shi_direction_status)(w);
+        if (!SHI_MANY(shi_single_gradient)(n, w, y, grad ? g : NULL)) return SHI_FN(shi_direction_status)(w);
         for (i = 0; i < size; i++) sum[0][i] += power * y[i];
         if (!grad) continue;
         if (depth[t] <= 0) return SH_ERROR_RADIUS;
@@ -1814,8 +1823,8 @@ SHI_INLINE int SHI_FN(shi_spheres_with)(int n, int planes, int channels, size_t 
         for (c = 0; c < channels; c++) {
             const int flags = SHI_FN(shi_spheres_at)(n, planes, x, count, spheres, radiance ? radiance + (size_t)c * count : NULL,
                                                      work, out + (p * (size_t)channels + (size_t)c) * block);
-            if (flags & 4) return SH_ERROR_RADIUS;
             if (flags & 2) return SH_ERROR_NOT_FINITE;
+            if (flags & 4) return SH_ERROR_RADIUS;
             if (flags && status == SH_OK) status = SH_INSIDE;
         }
     }
@@ -1857,7 +1866,7 @@ SH_API int SHI_FN(sh_eval)(int bands, const SHI_T dir[3], SHI_T *y)
 {
     const int status = SHI_FN(shi_check_basis)(bands, 1, dir, y, y, NULL, NULL);
     if (status) return status;
-    return SHI_ONE(shi_single_values)(bands, dir, y) ? SH_OK : SHI_FN(shi_direction_status)(dir);
+    return SHI_MANY(shi_single_values)(bands, dir, y) ? SH_OK : SHI_FN(shi_direction_status)(dir);
 }
 
 /* Basis values of many directions.
@@ -1889,7 +1898,7 @@ SH_API int SHI_FN(sh_eval_grad)(int bands, const SHI_T v[3], SHI_T *y, SHI_T *gr
 {
     const int status = SHI_FN(shi_check_basis)(bands, 1, v, v, y, grad, NULL);
     if (status) return status;
-    return SHI_ONE(shi_single_gradient)(bands, v, y, grad) ? SH_OK : SHI_FN(shi_direction_status)(v);
+    return SHI_MANY(shi_single_gradient)(bands, v, y, grad) ? SH_OK : SHI_FN(shi_direction_status)(v);
 }
 
 /* Many: v[count][3], y[count][N] or NULL, grad[count][3][N] or NULL. */
@@ -1915,7 +1924,7 @@ SH_API int SHI_FN(sh_eval_hessian)(int bands, const SHI_T v[3], SHI_T *y, SHI_T 
 {
     const int status = SHI_FN(shi_check_basis)(bands, 1, v, v, y, grad, hess);
     if (status) return status;
-    return SHI_ONE(shi_single_hessian)(bands, v, y, grad, hess) ? SH_OK : SHI_FN(shi_direction_status)(v);
+    return SHI_MANY(shi_single_hessian)(bands, v, y, grad, hess) ? SH_OK : SHI_FN(shi_direction_status)(v);
 }
 
 /* Many: v[count][3], y[count][N], grad[count][3][N], hess[count][6][N]; any output may be NULL. */
@@ -1946,10 +1955,10 @@ SH_API int SHI_FN(sh_eval_angles)(int bands, SHI_T theta, SHI_T phi, SHI_T *y, S
 SH_API int SHI_FN(sh_eval_angles_n)(int bands, size_t count, const SHI_T *theta, const SHI_T *phi,
                                     SHI_T *y, SHI_T *dtheta, SHI_T *dphi)
 {
-    const size_t size = (size_t)bands * (size_t)bands, in = count * sizeof *theta, out = count * size * sizeof *theta;
+    const size_t size = (size_t)(bands * bands), in = count * sizeof *theta, out = count * size * sizeof *theta;
+    if (bands < 1 || bands > SH_MAX_BANDS) return SH_ERROR_BANDS;
     if (count == 0) return SH_OK;
     if (!theta || !phi) return SH_ERROR_NULL;
-    if (bands < 1 || bands > SH_MAX_BANDS) return SH_ERROR_BANDS;
     if (count > SHI_MOST_ITEMS) return SH_ERROR_COUNT;
     if (shi_overlap(theta, in, y, out) || shi_overlap(theta, in, dtheta, out) || shi_overlap(theta, in, dphi, out)
         || shi_overlap(phi, in, y, out) || shi_overlap(phi, in, dtheta, out) || shi_overlap(phi, in, dphi, out))
@@ -1970,9 +1979,9 @@ SH_API int SHI_FN(sh_reconstruct_n)(int bands, const SHI_T *coeffs, size_t count
 {
     SHI_T a[SH_MAX_BANDS * SH_MAX_BANDS];
     const size_t item = sizeof *coeffs, size = (size_t)bands * (size_t)bands;
+    if (bands < 1 || bands > SH_MAX_BANDS) return SH_ERROR_BANDS;
     if (count == 0) return SH_OK;
     if (!coeffs || !dirs) return SH_ERROR_NULL;
-    if (bands < 1 || bands > SH_MAX_BANDS) return SH_ERROR_BANDS;
     if (count > SHI_MOST_ITEMS) return SH_ERROR_COUNT;
     if (shi_overlap(dirs, 3 * count * item, values, count * item) || shi_overlap(dirs, 3 * count * item, grads, 3 * count * item)
         || shi_overlap(coeffs, size * item, values, count * item) || shi_overlap(coeffs, size * item, grads, 3 * count * item))
@@ -2121,9 +2130,9 @@ SH_API int SHI_FN(sh_zonal_light)(int bands, const SHI_T to_light[3], const SHI_
 SH_API int SHI_FN(sh_sphere_hessian)(int bands, const SHI_T point[3], const SHI_T center[3], SHI_T radius,
                                      SHI_T *coeffs, SHI_T *grad, SHI_T *hess)
 {
-    const int status = SHI_FN(shi_check_basis)(bands, 1, point, center, coeffs, grad, hess);
+    int status = SHI_FN(shi_check_basis)(bands, 1, point, center, coeffs, grad, hess);
+    if (!status) status = SHI_FN(shi_check_basis)(bands, 1, center, coeffs, coeffs, grad, hess);
     if (status) return status;
-    if (!coeffs) return SH_ERROR_NULL;
     return SHI_FN(shi_sphere)(bands, point, center, radius, coeffs, grad, hess);
 }
 
