@@ -1,0 +1,168 @@
+/* Windows, the minimum on the sphere, and deringing of an HDR sky whose sun rings. */
+#ifndef T
+#include "sh_product.h"
+#include "report.h"
+#include "ref.h"
+
+/* Lowest value on a grid of about 0.7 degrees, in long double from the definition; the basis is kept. */
+enum { POLAR = 181, AROUND = 360, GRID = POLAR * AROUND };
+
+static long double lowest_on_grid(int bands, const long double *c)
+{
+    static double (*basis)[81];
+    static int made;
+    long double low = 1e300L, y[REF_MAX];
+    int i, k;
+
+    if (!basis) basis = malloc(GRID * sizeof *basis);
+    assert_non_null(basis);
+    if (!made) {
+        for (i = 0; i < GRID; i++) {
+            const long double t = REF_PI * (i / AROUND + 0.5L) / POLAR, f = 2 * REF_PI * (i % AROUND) / AROUND;
+            const long double u[3] = { sinl(t) * cosl(f), sinl(t) * sinl(f), cosl(t) };
+            ref_values(9, u, y);
+            for (k = 0; k < 81; k++) basis[i][k] = (double)y[k];
+        }
+        made = 1;
+    }
+    for (i = 0; i < GRID; i++) {
+        long double f = 0;
+        for (k = 0; k < bands * bands; k++) f += c[k] * (long double)basis[i][k];
+        if (f < low) low = f;
+    }
+    return low;
+}
+
+#define BOTH "test_product_ringing.c"
+#include "both.h"
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = { BOTH_TESTS(windows), BOTH_TESTS(minimum), BOTH_TESTS(dering) };
+    return RUN_TESTS(tests);
+}
+
+#else
+
+static void F(windows)(void **state)
+{
+    row *w = row_open("windows", PRECISION);
+    int kind, l;
+    T f[32];
+
+    (void)state;
+    for (kind = SH_HANN; kind <= SH_GAUSS; kind++) {
+        const T width = (T)6.5;
+        assert_int_equal(F(sh_window)(kind, 32, width, f), SH_OK);
+        assert_true(f[0] == 1);
+        row_case("kind %d", kind);
+        for (l = 1; l < 32; l++) {
+            const long double x = REF_PI * l / 6.5L;
+            const long double want = kind == SH_GAUSS ? expl(-x * x * (l + 1) / (2 * l)) : l >= 6.5L ? 0
+                                   : kind == SH_HANN ? cosl(x / 2) * cosl(x / 2) : sinl(x) / x;
+            row_check(w, (long double)f[l], want, 2 * (long double)EPS, l);
+            assert_true(f[l] <= f[l - 1]);
+        }
+        assert_int_equal(F(sh_window)(kind, 32, 0, f), SH_ERROR_OPTION);
+        assert_int_equal(F(sh_window)(kind, 33, width, f), SH_ERROR_BANDS);
+    }
+    assert_int_equal(F(sh_window)(0, 3, 3, f), SH_ERROR_OPTION);
+    assert_int_equal(F(sh_window)(SH_HANN, 3, (T)NAN, f), SH_ERROR_OPTION);
+    row_close(w);
+}
+
+static void F(minimum)(void **state)
+{
+    row *w = row_open("minimum on the sphere", PRECISION), *wd = row_open("its value at its direction", PRECISION);
+    int turn, i;
+
+    (void)state;
+    for (turn = 0; turn < effort(18); turn++) {
+        const int bands = 1 + turn % 9, n = bands * bands;
+        T c[81], u[3], value;
+        long double lc[81], v[3], y[81], f = 0, size = 0, low;
+
+        for (i = 0; i < n; i++) { c[i] = (T)ref_between(-1, 1); lc[i] = (long double)c[i]; size += lc[i] * lc[i]; }
+        size = sqrtl(size) * bands / 3.5L;
+        assert_int_equal(F(sh_minimum)(bands, c, u, &value), SH_OK);
+        low = lowest_on_grid(bands, lc);
+        row_case("bands %d", bands);
+        /* never above the grid's lowest, and below it by no more than the grid can miss: curvature bands^2 at half a cell */
+        row_check(w, fmaxl(0, (long double)value - low), 0, 16 * (long double)EPS * size, 0);
+        row_check(w, fmaxl(0, low - (long double)value), 0, size * bands * bands * 8e-5L + 16 * (long double)EPS * size, 1);
+        for (i = 0; i < 3; i++) v[i] = (long double)u[i];
+        ref_values(bands, v, y);
+        for (i = 0; i < n; i++) f += lc[i] * y[i];
+        row_check(wd, (long double)value, f, 40 * (long double)EPS * size, 0);
+    }
+    row_close(w); row_close(wd);
+}
+
+/* A sky brighter towards the horizon, a dark ground, and a sun of half a degree 50000 times the sky. */
+static void F(sky)(int bands, T *c)
+{
+    static const T sun[3] = { (T)0.6, (T)0.48, (T)0.64 };
+    const int n = bands * bands;
+    T zh[9], disc[81];
+    int i;
+
+    memset(c, 0, (size_t)n * sizeof *c);
+    c[0] = (T)1.2;
+    if (bands > 1) c[2] = (T)0.5;
+    if (bands > 2) c[6] = (T)-0.2;
+    F(sh_zonal_cap)(bands, (T)0.00465, zh, NULL);
+    F(sh_zonal_rotate)(bands, zh, sun, disc);
+    for (i = 0; i < n; i++) c[i] += 50000 * disc[i];
+}
+
+static void F(dering)(void **state)
+{
+    row *w = row_open("deringed sky, minimum above zero", PRECISION), *wt = row_open("a window 0.1 % wider is too wide", PRECISION);
+    int bands, kind, i, channel;
+
+    (void)state;
+    for (bands = 3; bands <= 9; bands += 2)
+        for (kind = SH_HANN; kind <= SH_GAUSS; kind++) {
+            const int n = bands * bands;
+            T c[3 * 81], out[3 * 81], width = 0, wider[9], test[81], low;
+            long double lc[81], size = 0;
+
+            F(sky)(bands, c);
+            for (i = 0; i < n; i++) {
+                c[n + i] = i ? (T)0.8 * c[i] : c[0];            /* channels that ring less */
+                c[2 * n + i] = i ? (T)0.5 * c[i] : c[0];
+            }
+            for (i = 0; i < n; i++) { lc[i] = (long double)c[i]; size += lc[i] * lc[i]; }
+            size = sqrtl(size);
+            assert_true(lowest_on_grid(bands, lc) < -0.1L * size);      /* it rings */
+            assert_int_equal(F(sh_dering)(kind, bands, 3, c, out, &width), SH_OK);
+            assert_true(width > 0);
+            row_case("bands %d, kind %d, width %g", bands, kind, (double)width);
+            for (channel = 0; channel < 3; channel++) {
+                const T *o = out + channel * n;
+                assert_true(o[0] == c[channel * n]);                    /* the mean stays */
+                for (i = 0; i < n; i++) lc[i] = (long double)o[i];
+                row_check(w, fminl(0, lowest_on_grid(bands, lc)), 0, 16 * (long double)EPS * size, channel);
+            }
+            F(sh_window)(kind, bands, width * (T)1.001, wider);
+            F(sh_scale_bands)(bands, wider, c, test);
+            F(sh_minimum)(bands, test, NULL, &low);
+            row_check(wt, low < 0 ? 0 : 1, 0, 0.5L, 0);
+        }
+    row_close(w); row_close(wt);
+    {
+        T c[9] = { 1, 0, (T)0.1, 0, 0, 0, 0, 0, 0 }, out[9], width = 5;
+        assert_int_equal(F(sh_dering)(SH_HANN, 3, 1, c, out, &width), SH_OK);      /* nothing to do */
+        assert_true(width == 0);
+        assert_memory_equal(c, out, sizeof c);
+        c[0] = -1;
+        assert_int_equal(F(sh_dering)(SH_HANN, 3, 1, c, out, &width), SH_ERROR_OPTION);
+        c[0] = 1; c[2] = (T)NAN;
+        assert_int_equal(F(sh_dering)(SH_HANN, 3, 1, c, out, &width), SH_ERROR_NOT_FINITE);
+        assert_int_equal(F(sh_dering)(SH_HANN, 3, 1, c, c, &width), SH_ERROR_OVERLAP);
+        assert_int_equal(F(sh_dering)(SH_HANN, 3, 0, c, out, &width), SH_ERROR_COUNT);
+        assert_int_equal(F(sh_dering)(9, 3, 1, c, out, &width), SH_ERROR_OPTION);
+    }
+}
+
+#endif
