@@ -151,6 +151,9 @@ enum {
 #endif
 
 #define SHI_STAGE 32768                                 /* bytes of stack a plain batch may use */
+#define SHI_POOL 400                                    /* vectors on the stack: weights of a block of lights ... */
+#define SHI_SUMS 800                                    /* ... running sums ... */
+#define SHI_LIGHTS_AT_ONCE 16                           /* ... and most vectors of lights in a block */
 #define SHI_UNROLLED_BANDS 10                           /* up to here a body per band count and polynomials */
 #define SHI_ROWS(l, m) ((l) * ((l) + 1) / 2 + (m))      /* index into tables by band and m */
 
@@ -330,6 +333,7 @@ SHI_INLINE int shi_overlap(const void *a, size_t a_bytes, const void *b, size_t 
 #define SHI_STORE(p, v) SHI_KN(shi_store)(p, v)
 #define SHI_PUT(p, v, stride) SHI_KN(shi_put)(p, v, stride)
 #define SHI_SQRT(v)     SHI_KN(shi_sqrt)(v)
+#define SHI_RSQRT(v)    SHI_KN(shi_rsqrt)(v)
 #define SHI_ABS(v)      SHI_KN(shi_abs)(v)
 #define SHI_SUM(v)      SHI_KN(shi_sum)(v)
 #define SHI_ANY(m)      SHI_KN(shi_any)(m)
@@ -353,6 +357,7 @@ SHI_INLINE int shi_overlap(const void *a, size_t a_bytes, const void *b, size_t 
 #undef SHI_STORE
 #undef SHI_PUT
 #undef SHI_SQRT
+#undef SHI_RSQRT
 #undef SHI_ABS
 #undef SHI_SUM
 #undef SHI_ANY
@@ -387,6 +392,7 @@ SHI_KERNEL SHI_M SHI_BITS_OF(SHI_V v)              { SHI_M m; memcpy(&m, &v, siz
 SHI_KERNEL SHI_V SHI_SPLAT(SHI_T s)                { return s; }
 SHI_KERNEL SHI_V SHI_SQRT(SHI_V v)                 { return SHI_LIBM(sqrt)(v); }
 SHI_KERNEL SHI_V SHI_ABS(SHI_V v)                  { return SHI_LIBM(fabs)(v); }
+SHI_KERNEL SHI_V SHI_RSQRT(SHI_V v)                { return SHI_C(1) / SHI_LIBM(sqrt)(v); }
 SHI_KERNEL SHI_T SHI_SUM(SHI_V v)                  { return v; }
 SHI_KERNEL int   SHI_ANY(SHI_M m)                  { return m != 0; }
 #else
@@ -419,6 +425,16 @@ SHI_KERNEL SHI_V SHI_SQRT(SHI_V v)
     return v;
 #endif
 }
+/* 1/sqrt to 1 ulp: estimate and one Newton step where the estimate has 14 bits, else by division */
+SHI_KERNEL SHI_V SHI_RSQRT(SHI_V v)
+{
+#if defined(__AVX512F__) && SHI_BYTES == 64 && SHI_BITS == 32
+    const SHI_V e = __builtin_ia32_rsqrt14ps512_mask(v, v, (unsigned short)-1), h = SHI_C(0.5) * e, r = SHI_C(0.5) - (v * e) * h;
+    return e + e * r;
+#else
+    return SHI_C(1) / SHI_SQRT(v);
+#endif
+}
 /* pairwise: lane i with lane i + half */
 SHI_KERNEL SHI_T SHI_SUM(SHI_V v)
 {
@@ -449,12 +465,24 @@ SHI_KERNEL SHI_T SHI_SUM(SHI_V v)
 }
 SHI_KERNEL int SHI_ANY(SHI_M m)
 {
+#if defined(__AVX__) && SHI_BYTES >= 32
+    __extension__ typedef float half __attribute__((__vector_size__(32)));
+    half t[SHI_BYTES / 32];
+    memcpy(t, &m, sizeof t);
+    return (__builtin_ia32_movmskps256(t[0]) | __builtin_ia32_movmskps256(t[SHI_BYTES / 32 - 1])) != 0;
+#elif defined(__SSE2__) && SHI_BYTES == 16
+    __extension__ typedef float quarter __attribute__((__vector_size__(16)));
+    quarter t;
+    memcpy(&t, &m, sizeof t);
+    return __builtin_ia32_movmskps(t) != 0;
+#else
     long long t[SHI_BYTES / 8], any = 0;
     int i;
     memcpy(t, &m, sizeof t);
     SHI_UNROLL
     for (i = 0; i < SHI_BYTES / 8; i++) any |= t[i];
     return any != 0;
+#endif
 }
 /* a0 b0 a1 b1 ..., lower and upper half */
 SHI_KERNEL void SHI_KN(shi_zip)(SHI_V a, SHI_V b, SHI_V *lo, SHI_V *hi)
@@ -507,14 +535,18 @@ SHI_KERNEL SHI_V SHI_KN(shi_gap)(const SHI_V y[3], const SHI_T x[3], SHI_V r)
 #endif
 }
 
-/* every lane's squared length in range (false for NaN and infinity, with -ffast-math too) */
-SHI_KERNEL int SHI_KN(shi_in_range)(SHI_V r2, SHI_T lo, SHI_T hi)
+/* lanes of a non-negative number not in [lo, hi]; by bits, so NaN and infinity are out with -ffast-math too */
+SHI_KERNEL SHI_M SHI_KN(shi_out_of)(SHI_V v, SHI_T lo, SHI_T hi)
 {
     SHI_I a, b;
-    const SHI_M m = SHI_BITS_OF(r2);
+    const SHI_M m = SHI_BITS_OF(v);
     memcpy(&a, &lo, sizeof a);
     memcpy(&b, &hi, sizeof b);
-    return !SHI_ANY((SHI_M)((m < a) | (m > b)));
+    return (SHI_M)((m < a) | (m > b));
+}
+SHI_KERNEL int SHI_KN(shi_in_range)(SHI_V v, SHI_T lo, SHI_T hi)
+{
+    return !SHI_ANY(SHI_KN(shi_out_of)(v, lo, hi));
 }
 
 /* v/|v| of a nearly unit v, e = |v|^2 - 1: 1/sqrt(1 + e) = 1 - e/2 + 3/8 e^2, and the length right to eps/4 */
@@ -968,21 +1000,21 @@ SHI_NOINLINE int SHI_KN(shi_sum_gradient)(int n, const SHI_T *a, size_t count, c
  * the recurrence of x_k Y_lm):  kind 0 f_l, l = j;  1 w-, l = j+1;  2 w+, l = j-1;  3 w--, l = j+2;  4 lap, l = j;
  * 5 w++, l = j-2.  w- = f' + (l+1) f/rho, w+ = f' - l f/rho, and the same once more for the second derivatives. */
 
-enum { SHI_KN(shi_pool) = 400, SHI_KN(shi_sums_at_once) = 640 };    /* vectors on the stack: L1 resident, 8..40 KiB */
 
-/* weights and powers of W lights, one vector of a block of nb; returns lanes on or inside (1), invalid (2) */
-SHI_KERNEL int SHI_KN(shi_light_weights)(int n, int kinds, const SHI_T point[3], const SHI_V center[3], SHI_V radius, SHI_V radiance,
-                                         SHI_V *pool, int levels, int nb)
+/* weights and powers of W lights, one vector of a block of nb; adds to flags: inside, not finite, negative radius */
+SHI_KERNEL void SHI_KN(shi_light_weights)(int n, int kinds, const SHI_T point[3], const SHI_V center[3], SHI_V radius, SHI_V radiance,
+                                          SHI_V *pool, int levels, int nb, SHI_M flags[3])
 {
     const SHI_V zero = SHI_SPLAT(0), one = SHI_SPLAT(1);
-    const SHI_V gap = SHI_KN(shi_gap)(center, point, radius);
     const SHI_V dx = center[0] - point[0], dy = center[1] - point[1], dz = center[2] - point[2];
-    const SHI_M dark = (SHI_M)(radius == zero), inside = (SHI_M)(gap <= zero) & (SHI_M)(radius > zero);
-    const SHI_M none = dark | inside;
-    const SHI_V i = SHI_C(1) / SHI_SQRT(SHI_SELECT(none, one, dx * dx + dy * dy + dz * dz));
+    const SHI_V r2 = dx * dx + dy * dy + dz * dz, rough = r2 - radius * radius;
+    const SHI_M close = (SHI_M)(rough < SHI_C(0.5) * r2), dark = (SHI_M)(radius == zero);
+    const SHI_V gap = SHI_ANY(close) ? SHI_SELECT(close, SHI_KN(shi_gap)(center, point, radius), rough) : rough;
+    const SHI_M inside = (SHI_M)(gap <= zero) & (SHI_M)(radius > zero), none = dark | inside;
+    const SHI_V i = SHI_RSQRT(SHI_SELECT(none, one, r2)), ig = SHI_RSQRT(SHI_SELECT(none, one, gap));
     const SHI_V s = SHI_SELECT(none, zero, radius * i), s2 = s * s;
-    const SHI_V alpha = SHI_SELECT(none, one, SHI_SQRT(SHI_SELECT(none, one, gap)) * i), kappa = s2 / (SHI_C(1) + alpha);
-    const SHI_V k = SHI_C(6.2831853071795865) * s2, q = s2 * i / alpha, k1 = SHI_C(-6.2831853071795865) * q;
+    const SHI_V alpha = SHI_SELECT(none, one, (gap * ig) * i), kappa = s2 / (SHI_C(1) + alpha);
+    const SHI_V k = SHI_C(6.2831853071795865) * s2, q = s2 * ig, k1 = SHI_C(-6.2831853071795865) * q;
     SHI_V *c = pool, *v = c + levels * nb, *w = v + levels * nb;
     SHI_V p = one, step = zero, slope = zero, uc = radiance, us = zero, u[3];
     int l, m, t;
@@ -1030,8 +1062,9 @@ SHI_KERNEL int SHI_KN(shi_light_weights)(int n, int kinds, const SHI_T point[3],
         }
     }
 #undef SHI_WEIGHT
-    return (SHI_ANY(inside) ? 1 : 0) | (SHI_ANY((SHI_M)(radius < zero)) ? 4 : 0)
-         | (SHI_KN(shi_in_range)(SHI_ABS(gap) + SHI_ABS(radius), 0, SHI_C(SHI_BITS == 32 ? 3e38 : 1e308)) ? 0 : 2);
+    flags[0] |= inside;
+    flags[1] |= SHI_KN(shi_out_of)(SHI_ABS(gap) + SHI_ABS(radius), 0, SHI_C(SHI_BITS == 32 ? 3e38 : 1e308));
+    flags[2] |= (SHI_M)(radius < zero);
 }
 
 /* which kinds row j of the moments has, by its distance e = j - (n-1) from the light's top band: bits of kinds */
@@ -1058,17 +1091,23 @@ SHI_KERNEL void SHI_KN(shi_light_rows)(int rows, int kinds, int e_last, int zona
         SHI_UNROLL
         for (t = 0; t < rows; t++) {
             const SHI_V q = zi * q0 - beta[t] * q1;
-            qc[t] = q * ci;
-            if (!zonal) qs[t] = q * si;
             q1 = q0;
             q0 = q;
+            if (kinds == 1) {                       /* one weight goes into q, several meet q c and q s */
+                const SHI_V wq = w[t * nb + i] * q;
+                a[t] += wq * ci;
+                if (!zonal) b[t] += wq * si;
+            } else {
+                qc[t] = q * ci;
+                if (!zonal) qs[t] = q * si;
+            }
         }
         qa[i] = q0;
         qb[i] = q1;
         SHI_UNROLL
         for (t = 0; t < slots; t++) {
             const int r = t / kinds, k = t % kinds;
-            if (SHI_KINDS_AT(e_last - (rows - 1 - r)) >> k & 1u) {
+            if (kinds > 1 && (SHI_KINDS_AT(e_last - (rows - 1 - r)) >> k & 1u)) {
                 const SHI_V weight = w[k * kind_stride + r * nb + i];
                 a[t] += weight * qc[r];
                 if (!zonal) b[t] += weight * qs[r];
@@ -1088,7 +1127,7 @@ SHI_KERNEL void SHI_KN(shi_light_column)(int n, int kinds, int m, int nb, const 
     const int plenty = SHI_BYTES == 64 || SHI_REGISTERS == 32;
     const int top = n - 1 + (kinds == 1 ? 0 : kinds == 3 ? 1 : 2);
     const SHI_V *c = pool + m * nb, *v = c + levels * nb, *w = pool + 2 * levels * nb, *z = w + kinds * levels * nb;
-    SHI_V qa[8], qb[8];
+    SHI_V qa[SHI_LIGHTS_AT_ONCE], qb[SHI_LIGHTS_AT_ONCE];
     SHI_T beta[5];
     int j = m, i, rows;
     for (i = 0; i < nb; i++) {
@@ -1184,14 +1223,16 @@ SHI_KERNEL int SHI_KN(shi_moments)(int n, int kinds, const SHI_T *point, size_t 
                                    const SHI_T *radiance, SHI_T *moments)
 {
     const int levels = n - 1 + (kinds == 1 ? 1 : kinds == 3 ? 2 : 3), plane = levels * levels;
-    const int fit = SHI_KN(shi_pool) / ((2 + kinds) * levels + 1);
-    const int at_once = fit > 8 ? 8 : fit;
-    SHI_V pool[SHI_KN(shi_pool)], sums[SHI_KN(shi_sums_at_once)];
-    int flags = 0, m0, m1, m, j, k, i;
+    const int fit = SHI_POOL / ((2 + kinds) * levels + 1);
+    const int at_once = fit > SHI_LIGHTS_AT_ONCE ? SHI_LIGHTS_AT_ONCE : fit;
+    SHI_V pool[SHI_POOL], sums[SHI_SUMS];
+    SHI_M flags[3];
+    int bad = 0, m0, m1, m, j, k, i;
+    memset(flags, 0, sizeof flags);
     for (m0 = 0; m0 < levels; m0 = m1) {
         int size = 0, at = 0;
         size_t first;
-        for (m1 = m0; m1 < levels && size + 2 * kinds * (levels - m1) <= SHI_KN(shi_sums_at_once); m1++)
+        for (m1 = m0; m1 < levels && size + 2 * kinds * (levels - m1) <= SHI_SUMS; m1++)
             size += 2 * kinds * (levels - m1);
         memset(sums, 0, (size_t)size * sizeof sums[0]);
         for (first = 0; first < count; first += (size_t)at_once * SHI_W) {
@@ -1202,9 +1243,9 @@ SHI_KERNEL int SHI_KN(shi_moments)(int n, int kinds, const SHI_T *point, size_t 
                 if (point) {
                     SHI_V center[3], radius, power;
                     SHI_KN(shi_load_light)(spheres, radiance, count, one, center, &radius, &power);
-                    flags |= SHI_KN(shi_light_weights)(n, kinds, point, center, radius, power, pool + i, levels, nb);
+                    SHI_KN(shi_light_weights)(n, kinds, point, center, radius, power, pool + i, levels, nb, flags);
                 } else {
-                    if (!SHI_KN(shi_sample_powers)(spheres, radiance, count, one, pool + i, levels, nb)) flags |= 2;
+                    if (!SHI_KN(shi_sample_powers)(spheres, radiance, count, one, pool + i, levels, nb)) bad = 2;
                     for (j = 0; j < levels; j++) pool[(2 * levels + j) * nb + i] = SHI_SPLAT(1);
                 }
             }
@@ -1219,7 +1260,7 @@ SHI_KERNEL int SHI_KN(shi_moments)(int n, int kinds, const SHI_T *point, size_t 
                     if (m) out[-m] = SHI_FN(shi_norm)[SHI_ROWS(j, m)] * SHI_SUM(sums[at + 1]);
                 }
     }
-    return flags;
+    return bad | (SHI_ANY(flags[0]) ? 1 : 0) | (SHI_ANY(flags[1]) ? 2 : 0) | (SHI_ANY(flags[2]) ? 4 : 0);
 }
 SHI_NOINLINE int SHI_KN(shi_moments_values)(int n, const SHI_T *point, size_t count, const SHI_T *spheres, const SHI_T *radiance, SHI_T *moments)
 {
