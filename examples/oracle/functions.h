@@ -75,6 +75,13 @@ static int F(run_rotate)(const options *o, const T *q, size_t count, T *out)
     return status < 0 ? status : F(sh_rotate)(o->bands, &r, 1, q + 9, out);
 }
 
+static int F(run_convert)(const options *o, const T *q, size_t count, T *out)
+{
+    (void)o;
+    memcpy(out, q, count * sizeof *q);
+    return SH_OK;
+}
+
 static int F(run_cubemap)(const options *o, const T *q, size_t count, T *out)
 {
     const size_t texels = count / 9;
@@ -97,14 +104,20 @@ static int F(run_cubemap)(const options *o, const T *q, size_t count, T *out)
 }
 
 /* ---- text in ---- */
-/* Appends the numbers of a line. What is no decimal number is an error of its own on stderr. */
+/* How many numbers a letter of a query's layout stands for: in the text (theirs), and to the library (ours). */
+static size_t F(width)(const options *o, char kind, int ours)
+{
+    return kind == 's' ? 1 : kind == 'v' ? 3 : kind == 'm' ? 9
+         : (size_t)(ours ? o->bands * o->bands : sh_convention_size(o->from, o->bands));
+}
+
+/* Appends the numbers of a line, which must fit the layout of the function's query. */
 static int F(parse)(const options *o, const char *text, long line, numbers *q)
 {
-    const function *f = o->function;
-    const size_t wanted = (size_t)(f->scalars + f->vectors * o->bands * o->bands), before = q->count;
-    size_t found;
+    const char *layout;
+    size_t found = 0, wanted = 0;
 
-    for (;;) {
+    for (;; found++) {
         const size_t length = strcspn(text, ",");
         char *end;
         const T value = PARSE(text, &end);
@@ -117,35 +130,97 @@ static int F(parse)(const options *o, const char *text, long line, numbers *q)
         if (!text[length]) break;
         text += length + 1;
     }
-    found = q->count - before;
-    if (f->shape == LONGER ? found >= wanted : found == wanted) return SH_OK;
-    fprintf(stderr, "sh-oracle: line %ld: %lu numbers, wanted %s%lu: %s\n", line, (unsigned long)found,
-            f->shape == LONGER ? "at least " : "", (unsigned long)wanted, f->query);
+    found++;
+    for (layout = o->function->layout; *layout && *layout != '*'; layout++) wanted += F(width)(o, *layout, 0);
+    if (*layout ? found >= wanted && (found - wanted) % F(width)(o, layout[1], 0) == 0 : found == wanted) return SH_OK;
+    fprintf(stderr, "sh-oracle: line %ld: %lu numbers do not make %s\n", line, (unsigned long)found, o->function->query);
     return SH_ERROR_COUNT;
 }
 
-/* ---- text out ---- */
-/* Between the library's sign and --convention's, either way. */
-static void F(convert)(const options *o, T *coeffs)
+/* The query in the library's axes and coefficients; returns how many numbers that is. `ours` has room for it. */
+static size_t F(from_theirs)(const options *o, const T *theirs, size_t count, T *ours)
 {
-    int l, m;
-    if (o->convention == 0) return;
-    for (l = 1; l < o->bands; l++)
-        for (m = -l; m <= l; m++)
-            if (m & 1) coeffs[l * (l + 1) + m] = -coeffs[l * (l + 1) + m];
+    const char *layout = o->function->layout;
+    const T *const end = theirs + count;
+    T *const first = ours;
+    int i, k;
+
+    while (theirs < end) {
+        if (*layout == '*') layout++;
+        if (*layout == 'v') {
+            F(sh_convert_direction_from)(o->convention, theirs, ours);
+        } else if (*layout == 'm') {                                        /* rows, then columns */
+            T column[3];
+            for (i = 0; i < 3; i++) F(sh_convert_direction_from)(o->convention, theirs + 3 * i, ours + 3 * i);
+            for (i = 0; i < 3; i++) {
+                for (k = 0; k < 3; k++) column[k] = ours[3 * k + i];
+                F(sh_convert_direction_from)(o->convention, column, column);
+                for (k = 0; k < 3; k++) ours[3 * k + i] = column[k];
+            }
+        } else if (*layout == 'c') {
+            F(sh_convert_from)(o->from, o->bands, theirs, ours);
+        } else {
+            *ours = *theirs;
+        }
+        theirs += F(width)(o, *layout, 0);
+        ours += F(width)(o, *layout, 1);
+        if (layout[1]) layout++;
+        else if (!strchr(o->function->layout, '*')) layout = o->function->layout;       /* the next line's */
+    }
+    return (size_t)(ours - first);
+}
+
+/* ---- text out ---- */
+static void F(print)(const char *name, size_t length, const T *value, int count)
+{
+    int i;
+    printf("%.*s", (int)length, name);
+    for (i = 0; i < count; i++) printf("," DIGITS, (double)value[i]);
+    printf("\n");
+}
+
+static void F(print_coeffs)(const options *o, const char *name, size_t length, const T *value)
+{
+    T theirs[2 * SH_MAX_BANDS * SH_MAX_BANDS];
+    F(sh_convert_to)(o->convention, o->bands, value, theirs);
+    F(print)(name, length, theirs, sh_convention_size(o->convention, o->bands));
+}
+
+/* Which of our axes each of theirs is. */
+static void F(axes)(const options *o, int axis[3])
+{
+    T v[3] = { 0, 1, 2 };
+    int k;
+    F(sh_convert_direction_to)(o->convention, v, v);
+    for (k = 0; k < 3; k++) axis[k] = (int)v[k];
 }
 
 /* One component: "name:size ..." is what it is called and how long it is. Returns the value after it. */
-static T *F(print)(const options *o, const char *component, T *value)
+static const T *F(print_component)(const options *o, const char *component, const T *value)
 {
-    const char *size = strchr(component, ':') + 1;
-    const int count = *size == 'N' ? o->bands * o->bands : *size == 'n' ? o->bands : 1;
-    int i;
-    if (*size == 'N') F(convert)(o, value);
-    printf("%.*s", (int)(size - 1 - component), component);
-    for (i = 0; i < count; i++) printf("," DIGITS, (double)value[i]);
-    printf("\n");
-    return value + count;
+    static const char *const first[] = { "dx", "dy", "dz" }, *const second[] = { "xx", "xy", "xz", "yy", "yz", "zz" };
+    static const int plane[3][3] = { { 0, 1, 2 }, { 1, 3, 4 }, { 2, 4, 5 } };
+    const size_t length = strcspn(component, ":");
+    const int n2 = o->bands * o->bands;
+    int axis[3], i, k, at = 0;
+
+    F(axes)(o, axis);
+    switch (component[length + 1]) {
+    case 'N':
+        F(print_coeffs)(o, component, length, value);
+        return value + n2;
+    case 'V':
+        for (k = 0; k < 3; k++) F(print_coeffs)(o, first[k], 2, value + axis[k] * n2);
+        return value + 3 * n2;
+    case 'H':
+        for (i = 0; i < 3; i++)
+            for (k = i; k < 3; k++, at++) F(print_coeffs)(o, second[at], 2, value + plane[axis[i]][axis[k]] * n2);
+        return value + 6 * n2;
+    default:
+        at = component[length + 1] == 'n' ? o->bands : 1;
+        F(print)(component, length, value, at);
+        return value + at;
+    }
 }
 
 /* Answers one query, or passes on the error of reading it. Returns 1 for a bad one. */
@@ -154,16 +229,17 @@ static int F(answer)(const options *o, const numbers *q, int status, long line)
     static T out[10 * SH_MAX_BANDS * SH_MAX_BANDS];
     const function *f = o->function;
     const char *component;
-    T *value = out;
-    int i;
+    const T *value = out;
 
     if (status == SH_OK) {
-        for (i = 0; i < f->vectors; i++) F(convert)(o, (T *)q->data + f->scalars + i * o->bands * o->bands);
-        status = f->F(run)(o, (const T *)q->data, q->count, out);
+        T *ours = (T *)grow(NULL, (q->count + 2 * SH_MAX_BANDS * SH_MAX_BANDS) * sizeof(T));
+        const size_t count = F(from_theirs)(o, (const T *)q->data, q->count, ours);
+        status = f->F(run)(o, ours, count, out);
+        free(ours);
         if (status != SH_OK) complain(line, status);
     }
     if (status < 0) { printf("error,%s\n", sh_status_string(status)); return 1; }
     for (component = f->components; component; component = strchr(component, ' '), component += component != NULL)
-        value = F(print)(o, component, value);
+        value = F(print_component)(o, component, value);
     return 0;
 }

@@ -17,19 +17,19 @@
 enum { EXIT_OK = 0, EXIT_BAD_QUERY = 1, EXIT_USAGE = 2 };
 
 typedef struct function function;
-typedef struct { int bands, precision, convention, sides; const function *function; } options;
+typedef struct { int bands, precision, convention, from, sides; const function *function; } options;
 
 struct function {
     const char *name;
     const char *query;              /* as shown by --help */
-    int scalars, vectors;           /* numbers in a query: scalars, then vectors of bands^2 coefficients */
-    const char *components;         /* name:size in output order; size N is bands^2, n is bands, 1 is one number */
+    const char *layout;             /* of a query: s number, v vector, m matrix, c coefficients; after * repeated */
+    const char *components;         /* name:size in output order; N coefficients, V three and H six planes of them,
+                                       n one number a band, 1 one number */
     int (*run_f32)(const options *, const float *, size_t, float *);
     int (*run_f64)(const options *, const double *, size_t, double *);
-    int shape;                      /* of the input */
+    int whole;                      /* all lines together are one query */
     const char *options, *example;  /* "echo EXAMPLE | sh-oracle NAME OPTIONS" */
 };
-enum { FIXED = 0, LONGER, WHOLE };  /* so many numbers; at least so many; all lines together are one query */
 
 /* Numbers of a query, whatever the precision; grows and is reused from line to line. */
 typedef struct { void *data; size_t count, room; } numbers;
@@ -67,31 +67,34 @@ static void complain(long line, int status)
 #define RUN(name) run_##name##_f32, run_##name##_f64
 
 static const function functions[] = {
-    { "eval", "x,y,z", 3, 0, "Y:N", RUN(eval), FIXED, "--bands 3", "0.6,0,0.8" },
-    { "grad", "x,y,z (any length)", 3, 0, "Y:N dx:N dy:N dz:N", RUN(grad), FIXED, "--bands 2", "3,0,4" },
-    { "angles", "theta,phi (radians)", 2, 0, "Y:N dtheta:N dphi:N", RUN(angles), FIXED, "--bands 2", "0.5,1.25" },
-    { "hessian", "x,y,z (any length)", 3, 0, "xx:N xy:N xz:N yy:N yz:N zz:N", RUN(hessian), FIXED, "--bands 2", "3,0,4" },
-    { "cap", "sin of the half-angle", 1, 0, "zh:n dzh:n", RUN(cap), FIXED, "--bands 5", "0.1" },
-    { "sphere", "point(3),center(3),radius", 7, 0, "c:N dx:N dy:N dz:N", RUN(sphere), FIXED,
+    { "eval", "x,y,z", "v", "Y:N", RUN(eval), 0, "--bands 3", "0.6,0,0.8" },
+    { "grad", "x,y,z (any length)", "v", "Y:N :V", RUN(grad), 0, "--bands 2", "3,0,4" },
+    { "angles", "theta,phi (radians)", "ss", "Y:N dtheta:N dphi:N", RUN(angles), 0, "--bands 2", "0.5,1.25" },
+    { "hessian", "x,y,z (any length)", "v", ":H", RUN(hessian), 0, "--bands 2", "3,0,4" },
+    { "cap", "sin of the half-angle", "s", "zh:n dzh:n", RUN(cap), 0, "--bands 5", "0.1" },
+    { "sphere", "point(3),center(3),radius", "vvs", "c:N :V", RUN(sphere), 0,
       "--bands 3 --precision f64", "0,0,0,1,2,3,0.5" },
-    { "polygon", "point(3),vertex count,vertices(3 each)", 4, 0, "c:N dx:N dy:N dz:N", RUN(polygon), LONGER,
+    { "polygon", "point(3),vertex count,vertices(3 each)", "vs*v", "c:N :V", RUN(polygon), 0,
       "--bands 3 --sides front", "0,0,0,3,1,0,2,0,0,2,0,1,2" },
-    { "triangle-as-sphere", "point(3),a(3),b(3),c(3)", 12, 0, "c:N dx:N dy:N dz:N", RUN(triangle_as_sphere), FIXED,
+    { "triangle-as-sphere", "point(3),a(3),b(3),c(3)", "vvvv", "c:N :V", RUN(triangle_as_sphere), 0,
       "--bands 2", "0,0,0,1,0,2,0,1,2,0,0,2" },
-    { "cosine-product", "normal(3),coefficients(N*N); D is the irradiance", 3, 1, "out:N D:1", RUN(cosine_product), FIXED,
+    { "cosine-product", "normal(3),coefficients(N*N); D is the irradiance", "vc", "out:N D:1", RUN(cosine_product), 0,
       "--bands 2", "0,0,1,1,0,0.5,0" },
-    { "triple-product", "a(N*N),b(N*N); D is the integral of a b", 0, 2, "out:N D:1", RUN(triple_product), FIXED,
+    { "triple-product", "a(N*N),b(N*N); D is the integral of a b", "cc", "out:N D:1", RUN(triple_product), 0,
       "--bands 2", "1,0,0.5,0,1,0.25,0,0" },
-    { "rotate", "row-major matrix R(9),coefficients(N*N); out(R u) = in(u)", 9, 1, "out:N", RUN(rotate), FIXED,
+    { "rotate", "row-major matrix R(9),coefficients(N*N); out(R u) = in(u)", "mc", "out:N", RUN(rotate), 0,
       "--bands 2", "0,-1,0,1,0,0,0,0,1,1,0,0.5,0.25" },
-    { "cubemap", "direction(3),solid angle,radiance,depth,normal(3); one texel per line", 9, 0,
-      "c:N dx:N dy:N dz:N", RUN(cubemap), WHOLE, "--bands 2", "0,0,1,0.01,1,2,0,0,-1" },
+    { "convert", "coefficients as --from has them", "c", "out:N", RUN(convert), 0,
+      "--bands 2 --from three --convention n3d", "1,0,0.5,0.25" },
+    { "cubemap", "direction(3),solid angle,radiance,depth,normal(3); one texel per line", "vsssv", "c:N :V", RUN(cubemap), 1,
+      "--bands 2", "0,0,1,0.01,1,2,0,0,-1" },
 };
 enum { FUNCTIONS = sizeof functions / sizeof functions[0] };
 
 /* ---- command line ---- */
 static void usage(FILE *to)
 {
+    const char *name;
     int i;
     fprintf(to,
         "usage: sh-oracle FUNCTION [--bands N] [--precision f32|f64] [--convention NAME] [--sides front|both|signed]\n\n"
@@ -99,10 +102,12 @@ static void usage(FILE *to)
         "skipped. Writes one line per component: its name and its values in index order.\n\n"
         "  --bands N          1..%d bands, N*N coefficients  [3]\n"
         "  --precision P      f32 or f64: which of the library's functions answers  [f32]\n"
-        "  --convention NAME  sloan or no-phase: how coefficients are written and read  [sloan]\n"
+        "  --convention NAME  order, sign, scale and axes of everything read and written  [sloan]\n"
+        "  --from NAME        ... of the coefficients read  [as --convention; for convert: sloan]\n"
         "  --sides S          which sides of a polygon shine  [both]\n\n"
-        "A bad query writes error,REASON and the program ends with 1; a bad command line ends it with 2.\n",
-        SH_MAX_BANDS);
+        "Conventions (docs/conventions.md; Y is written as the coefficients of a unit impulse):", SH_MAX_BANDS);
+    for (i = 0; (name = sh_convention_name(i)) != NULL; i++) fprintf(to, "%s%s", i % 8 ? " " : "\n  ", name);
+    fprintf(to, "\n\nA bad query writes error,REASON and the program ends with 1; a bad command line ends it with 2.\n");
     for (i = 0; i < FUNCTIONS; i++)
         fprintf(to, "\n  %-19s %s\n      echo %s | sh-oracle %s %s\n", functions[i].name, functions[i].query,
                 functions[i].example, functions[i].name, functions[i].options);
@@ -125,8 +130,7 @@ static int choose(const char *value, const char *const names[], int count)
 
 static int parse_command_line(int argc, char **argv, options *o)
 {
-    static const char *const precisions[] = { "f32", "f64" }, *const conventions[] = { "sloan", "no-phase" };
-    static const char *const sides[] = { "both", "front", "signed" };
+    static const char *const precisions[] = { "f32", "f64" }, *const sides[] = { "both", "front", "signed" };
     int i;
 
     for (i = 1; i < argc; i++) {
@@ -149,7 +153,9 @@ static int parse_command_line(int argc, char **argv, options *o)
         } else if (!strcmp(name, "--precision")) {
             if ((o->precision = choose(value, precisions, 2)) < 0) return bad_usage("unknown precision", value);
         } else if (!strcmp(name, "--convention")) {
-            if ((o->convention = choose(value, conventions, 2)) < 0) return bad_usage("unknown convention", value);
+            if ((o->convention = sh_convention(value)) < 0) return bad_usage("unknown convention", value);
+        } else if (!strcmp(name, "--from")) {
+            if ((o->from = sh_convention(value)) < 0) return bad_usage("unknown convention", value);
         } else if (!strcmp(name, "--sides")) {
             if ((o->sides = choose(value, sides, 3)) < 0) return bad_usage("unknown sides", value);
         } else {
@@ -157,7 +163,11 @@ static int parse_command_line(int argc, char **argv, options *o)
         }
         i++;
     }
-    return o->function ? EXIT_OK : bad_usage("no function given", NULL);
+    if (!o->function) return bad_usage("no function given", NULL);
+    if (o->from < 0) o->from = o->function->run_f32 == run_convert_f32 ? 0 : o->convention;
+    if (sh_convention_size(o->convention, o->bands) < 0 || sh_convention_size(o->from, o->bands) < 0)
+        return bad_usage("the convention does not have so many bands", NULL);
+    return EXIT_OK;
 }
 
 /* ---- lines ---- */
@@ -184,7 +194,7 @@ static int answer(const options *o, const numbers *q, int status, long line)
 
 int main(int argc, char **argv)
 {
-    options o = { 3, 0, 0, 0, NULL };
+    options o = { 3, 0, 0, -1, SH_BOTH, NULL };
     numbers query = { NULL, 0, 0 };
     char *line = NULL;
     size_t room = 0;
@@ -197,12 +207,12 @@ int main(int argc, char **argv)
         int status;
         at++;
         if (!*text || *text == '#') continue;
-        if (o.function->shape != WHOLE) query.count = 0;
+        if (!o.function->whole) query.count = 0;
         status = o.precision ? parse_f64(&o, text, at, &query) : parse_f32(&o, text, at, &query);
         if (status != SH_OK) whole = status;
-        if (o.function->shape != WHOLE) bad |= answer(&o, &query, status, at);
+        if (!o.function->whole) bad |= answer(&o, &query, status, at);
     }
-    if (o.function->shape == WHOLE) bad |= answer(&o, &query, whole, 0);
+    if (o.function->whole) bad |= answer(&o, &query, whole, 0);
     free(line);
     free(query.data);
     if (ferror(stdin) || fflush(stdout) || ferror(stdout)) {
