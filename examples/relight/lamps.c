@@ -41,13 +41,15 @@ static void hang_star(scene *s, vec3 at, vec3 u, vec3 v, int rays)
 void lamps_compare(const scene *room, const float *blocked, int bands, int nodes, int pieces, int width, int height,
                    const char *path)
 {
-    static const char *const format[3] = { "a square in %d triangles", "the square in %d triangles", "a star of %d needles" };
-    static const float zoom[3] = { 100, 10, 10 };
+    static const char *const format[3] = { "a square in %d triangles", "the square in %d triangles",
+                                           "a star of %d needles" };
+    static const float zoom[3] = { 100, 10, 50 };
     const vec3 at = vec(-5.4f, -1.6f, 2.5f), u = vec(1.4f, 2.0f, 0), v = vec(0.6f, -0.4f, 2.3f);
     sheet out = sheet_new(3 * width, 3 * (height + LABEL));
     int row, i;
 
-    printf("\nTriangle lights, %d bands, edge Hermite on %d^3 nodes: exact, and each triangle as a sphere (M22 4.4)\n", bands, nodes);
+    printf("\nTriangle lights, %d bands, edge Hermite on %d^3 nodes: exact, and each triangle as a sphere\n", bands,
+           nodes);
     printf("%-26s %12s %12s %10s\n", "light", "exact ms", "spheres ms", "MAE x 1e3");
     for (row = 0; row < 3; row++) {
         method of[2] = { { "exact", SH_EDGE_HERMITE, nodes, SH_GRADIENT, TRIANGLES, 0, 0, 0, NULL },

@@ -41,7 +41,8 @@ void mesh_add(mesh *m, vec3 a, vec3 b, vec3 c, int kind)
 
 static const float outside[10][3] = {
     {1.4f, .784f, 2.4f}, {1.3375f, .749f, 2.53125f}, {1.4375f, .805f, 2.53125f}, {1.5f, .84f, 2.4f},
-    {1.75f, .98f, 1.875f}, {2, 1.12f, 1.35f}, {2, 1.12f, .9f}, {2, 1.12f, .45f}, {1.5f, .84f, .225f}, {1.5f, .84f, .15f} };
+    {1.75f, .98f, 1.875f}, {2, 1.12f, 1.35f}, {2, 1.12f, .9f}, {2, 1.12f, .45f}, {1.5f, .84f, .225f},
+    {1.5f, .84f, .15f} };
 static const float lid[7][3] = { {0, 0, 3.15f}, {.8f, .45f, 3.15f}, {0, 0, 2.85f}, {.2f, .112f, 2.7f},
     {.4f, .224f, 2.55f}, {1.3f, .728f, 2.55f}, {1.3f, .728f, 2.4f} };
 static const float bottom[4][3] = { {1.5f, .84f, .15f}, {1.5f, .84f, .075f}, {1.425f, .798f, 0}, {0, 0, 0} };
@@ -119,7 +120,7 @@ static void add_mirrored(mesh *m, const float (*row)[5], int steps)
             for (i = 0; i < 4; i++)
                 for (j = 0; j < 4; j++) {
                     const float *r = row[k + i] + (j < 2 ? 0 : 2), w = j == 0 || j == 3 ? 0 : row[k + i][4];
-                    c[i][side ? j : 3 - j] = vec(r[0], side ? w : -w, r[1]);   /* reversed, so that normals point out */
+                    c[i][side ? j : 3 - j] = vec(r[0], side ? w : -w, r[1]);   /* turned, so that normals point out */
                 }
             add_patch(m, c, steps);
         }

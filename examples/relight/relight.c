@@ -15,9 +15,10 @@
 
 static const char help[] =
     "usage: relight [options]\n"
-    "Lights a mesh in a room by spheres, through a grid of spherical-harmonics coefficients and gradients, by every\n"
-    "scheme of sh_interp.h; compares each with the coefficients computed at every pixel, and writes PREFIX.png (the\n"
-    "picture) and PREFIX-error.png (100 x the absolute error of each scheme).\n"
+    "Lights a mesh in a room by spheres, through a grid of spherical-harmonics coefficients and gradients, by\n"
+    "every scheme of sh_interp.h, and compares each with the coefficients computed at every pixel. Writes\n"
+    "PREFIX.png (edge Hermite), PREFIX-error.png (100 x the absolute error of each scheme) and\n"
+    "PREFIX-polygons.png (triangle lights: exact, as spheres, the difference).\n"
     "  --mesh FILE     an OBJ file in place of the teapot\n"
     "  --up y|z        its upward axis [y]\n"
     "  --lights N      spheres, 1 or more [900]\n"
@@ -64,48 +65,53 @@ void progress(const char *what, double done)
 #endif
 }
 
-typedef struct { const char *mesh, *out; int lights, grid, bands, width, height, threads, quick; char up; } options;
+typedef struct {
+    const char *mesh, *out;
+    int lights, grid, bands, width, height, threads, quick;
+    char up;
+} options;
+
+static const char *value_of(const char *option, const char *text)
+{
+    if (!text) die("%s takes a value; --help lists the options", option);
+    return text;
+}
 
 static int number(const char *option, const char *text, int low, int high)
 {
     char *end;
-    const long v = strtol(text, &end, 10);
-    if (end == text || *end || v < low || v > high) die("%s takes a number from %d to %d, not '%s'", option, low, high, text);
+    const long v = strtol(value_of(option, text), &end, 10);
+    if (end == text || *end || v < low || v > high)
+        die("%s takes a number from %d to %d, not '%s'", option, low, high, text);
     return (int)v;
 }
 
 static options parse(int argc, char **argv)
 {
-    options o;
+    options o = { NULL, "build/demo", 900, 8, 0, 960, 540, 0, 0, 'y' };
     int i;
 
-    memset(&o, 0, sizeof o);
-    o.out = "build/demo"; o.lights = 900; o.grid = 8; o.width = 960; o.height = 540; o.up = 'y';
     for (i = 1; i < argc; i++) {
-        const char *name = argv[i], *value = i + 1 < argc ? argv[i + 1] : NULL;
+        const char *name = argv[i], *value = argv[i + 1];
         if (!strcmp(name, "--help")) { fputs(help, stdout); exit(0); }
         if (!strcmp(name, "--quick")) { o.quick = 1; continue; }
-        if (strcmp(name, "--mesh") && strcmp(name, "--up") && strcmp(name, "--lights") && strcmp(name, "--grid")
-            && strcmp(name, "--bands") && strcmp(name, "--size") && strcmp(name, "--out") && strcmp(name, "--threads"))
-            die("unknown option '%s'; --help lists them", name);
-        if (!value) die("%s takes a value; --help lists the options", name);
-        i++;
-        if (!strcmp(name, "--mesh")) o.mesh = value;
-        if (!strcmp(name, "--out")) o.out = value;
-        if (!strcmp(name, "--lights")) o.lights = number(name, value, 1, 1000000);
-        if (!strcmp(name, "--grid")) o.grid = number(name, value, 2, 128);
-        if (!strcmp(name, "--bands")) o.bands = number(name, value, 1, BANDS);
-        if (!strcmp(name, "--threads")) o.threads = number(name, value, 1, 4096);
-        if (!strcmp(name, "--up")) {
+        if (!strcmp(name, "--mesh")) o.mesh = value_of(name, value);
+        else if (!strcmp(name, "--out")) o.out = value_of(name, value);
+        else if (!strcmp(name, "--lights")) o.lights = number(name, value, 1, 1000000);
+        else if (!strcmp(name, "--grid")) o.grid = number(name, value, 2, 128);
+        else if (!strcmp(name, "--bands")) o.bands = number(name, value, 1, BANDS);
+        else if (!strcmp(name, "--threads")) o.threads = number(name, value, 1, 4096);
+        else if (!strcmp(name, "--up")) {
+            o.up = *value_of(name, value);
             if (strcmp(value, "y") && strcmp(value, "z")) die("--up takes y or z, not '%s'", value);
-            o.up = value[0];
-        }
-        if (!strcmp(name, "--size")) {
+        } else if (!strcmp(name, "--size")) {
             char end;
-            if (sscanf(value, "%dx%d%c", &o.width, &o.height, &end) != 2 || o.width < 8 || o.height < 8
-                || o.width > 8192 || o.height > 8192)
-                die("--size takes WIDTHxHEIGHT, each from 8 to 8192, not '%s'", value);
-        }
+            if (sscanf(value_of(name, value), "%dx%d%c", &o.width, &o.height, &end) != 2
+                || o.width < 16 || o.height < 16 || o.width > 8192 || o.height > 8192)
+                die("--size takes WIDTHxHEIGHT, each from 16 to 8192, not '%s'", value);
+        } else
+            die("unknown option '%s'; --help lists them", name);
+        i++;
     }
     return o;
 }
@@ -134,7 +140,8 @@ static void compare(const scene *s, const view *w, const float *blocked, const o
     shade(s, w, blocked, bands, at, METHODS);
     exposure = picture_exposure(w, at[0].rgb);
     reference = picture_develop(w, at[0].rgb, exposure);
-    printf("\n%d spheres, %d bands, %d x %d pixels, %d points shaded\n", s->l.count, bands, o->width, o->height, w->count);
+    printf("\n%d spheres, %d bands, %d x %d pixels, %d points shaded\n", s->l.count, bands, o->width, o->height,
+           w->count);
     printf("%-20s %5s %10s %10s %10s %9s\n", "scheme", "nodes", "build ms", "shade ms", "MAE x 1e3", "speed-up");
     for (i = 0; i < METHODS; i++) {
         float *picture = picture_develop(w, at[i].rgb, exposure);
@@ -186,7 +193,8 @@ int main(int argc, char **argv)
         compare(&s, &w, blocked, &o, 9);
     }
     sprintf(lamps, "%.200s-polygons.png", o.out);
-    lamps_compare(&s, blocked, o.bands ? o.bands : 9, o.grid, o.quick ? 5 : 19, o.width / 2, o.height / 2, lamps);
+    lamps_compare(&s, blocked, o.bands ? o.bands : 9, o.grid, o.quick ? 5 : 19, o.width / 2, o.height / 2,
+                  lamps);
     free(s.m.v); free(s.m.t); free(s.l.sphere); free(s.l.radiance); free(w.at); free(w.glow); free(blocked);
     return 0;
 }

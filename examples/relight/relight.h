@@ -2,8 +2,8 @@
  *
  *     mesh.c      triangle meshes: the teapot, OBJ files, the room           -> mesh
  *     scene.c     materials, lights, camera: what stands where               -> scene
- *     trace.c     a bounding volume hierarchy and rays through it            -> points, blocked
- *     shade.c     grids of coefficients, reconstruction, shading             -> radiance
+ *     trace.c     a bounding volume hierarchy and rays through it            -> view, blocked
+ *     shade.c     grids of coefficients, reconstruction, shading             -> method.rgb
  *     lamps.c     triangle lights: exact, and each as a sphere
  *     picture.c   exposure, glow, tone curve, labels, PNG files
  *     relight.c   options, the order of work, the table
@@ -34,7 +34,7 @@ static inline vec3 unit(vec3 a)
 static inline vec3 lower(vec3 a, vec3 b) { return vec(fminf(a.x, b.x), fminf(a.y, b.y), fminf(a.z, b.z)); }
 static inline vec3 upper(vec3 a, vec3 b) { return vec(fmaxf(a.x, b.x), fmaxf(a.y, b.y), fmaxf(a.z, b.z)); }
 
-/* relight.c: a message on stderr and exit code 2; the same for a bad status or no memory; a line where a person looks */
+/* relight.c: a message and exit code 2; the same for a bad status or no memory; a line where a person looks */
 #if defined(__GNUC__)
 __attribute__((__noreturn__, __format__(__printf__, 1, 2)))
 #endif
@@ -72,13 +72,6 @@ extern const material materials[MATERIALS];
 void scene_build(scene *s, const char *obj /* or NULL: the teapot */, char up, int lights, int quick);
 
 /* trace.c */
-typedef struct bvh bvh;
-typedef struct { float t, u, v; int item; } hit;             /* item: triangle, or triangles + light; -1 none */
-bvh *bvh_build(const mesh *m, int triangles, const lights *l /* or NULL */);
-hit  bvh_closest(const bvh *b, vec3 from, vec3 direction);
-int  bvh_blocked(const bvh *b, vec3 from, vec3 direction);
-void bvh_free(bvh *b);
-
 typedef struct {                                             /* a place to shade, and its share of a pixel */
     vec3 p, n, out;                                          /* position, normal, direction to the eye */
     float u, v, weight;
@@ -86,7 +79,7 @@ typedef struct {                                             /* a place to shade
 } spot;
 typedef struct {
     int width, height, count;
-    spot *at;                                               /* [count], pixels in order */
+    spot *at;                                                /* [count], pixels in order */
     float *glow;                                             /* [width*height][3] the lights seen directly */
 } view;
 void view_trace(view *w, const scene *s, int width, int height);

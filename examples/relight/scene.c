@@ -1,4 +1,4 @@
-/* scene.c - what stands where: the mesh in its room, a picture of one sphere per texel, strings of bulbs, the camera. */
+/* scene.c - what stands where: the mesh, its room, a picture of one sphere per texel, strings of bulbs, the camera. */
 #include "relight.h"
 
 #include <string.h>
@@ -56,15 +56,17 @@ static void hang_all(lights *l, int count, vec3 low, vec3 high)
     l->sphere = need(NULL, 4 * (size_t)count, sizeof *l->sphere);
     l->radiance = need(NULL, 3 * (size_t)count, sizeof *l->radiance);
     for (i = 0; i < texels; i++) {
-        const float u = ((float)(i % columns) + 0.5f) / (float)columns, v = ((float)(i / columns) + 0.5f) / (float)rows;
-        hang(l, i, vec(low.x + 0.14f * size.x + u * width, low.y + 0.78f * size.y, low.z + 0.22f * size.z + v * width * 9 / 16),
-             0.42f * width / (float)columns, mul(sunset(u, v), 0.6f));
+        const float u = ((float)(i % columns) + 0.5f) / (float)columns;
+        const float v = ((float)(i / columns) + 0.5f) / (float)rows;
+        const vec3 at = vec(0.14f * size.x + u * width, 0.78f * size.y, 0.22f * size.z + v * width * 9 / 16);
+        hang(l, i, add(low, at), 0.42f * width / (float)columns, mul(sunset(u, v), 0.6f));
     }
     for (i = 0; i < bulbs; i++) {
         const int s = 5 - i % 6, k = i / 6, on = (bulbs + s) / 6;
         const float t = ((float)k + 0.5f) / (float)on, h = 3.999f * t, sag = string[s].sag * 4 * t * (1 - t);
-        hang(l, texels + i, vec(low.x + size.x * (0.14f + 0.72f * t), low.y + size.y * string[s].y, low.z + size.z * (string[s].z - sag)),
-             0.007f * size.x, mul(mix(hue[(int)h], hue[(int)h + 1], h - floorf(h)), string[s].power));
+        const vec3 at = vec(size.x * (0.14f + 0.72f * t), size.y * string[s].y, size.z * (string[s].z - sag));
+        hang(l, texels + i, add(low, at), 0.007f * size.x,
+             mul(mix(hue[(int)h], hue[(int)h + 1], h - floorf(h)), string[s].power));
     }
 }
 

@@ -28,41 +28,49 @@ static double now(void)
 static void add_triangles(const scene *s, const float node[3], int as_spheres, int bands, float *out)
 {
     const int n2 = bands * bands;
-    float coeffs[4 * MAX_N2], error;
+    float coeffs[4 * MAX_N2];
     int i, j, k;
 
     for (i = s->m.triangles - s->lamps; i < s->m.triangles; i++) {
         float v[3][3];
         for (k = 0; k < 3; k++) memcpy(v[k], &s->m.v[s->m.t[i].v[k]].p, sizeof v[k]);
-        check(as_spheres ? sh_triangle_as_sphere_f32(bands, SH_BOTH, node, v[0], v[1], v[2], coeffs, coeffs + n2, &error)
-                         : sh_polygon_f32(bands, SH_BOTH, node, 3, v[0], coeffs, coeffs + n2));
+        check(as_spheres
+                  ? sh_triangle_as_sphere_f32(bands, SH_BOTH, node, v[0], v[1], v[2], coeffs, coeffs + n2, NULL)
+                  : sh_polygon_f32(bands, SH_BOTH, node, 3, v[0], coeffs, coeffs + n2));
         for (k = 0; k < 3; k++)
             for (j = 0; j < 4 * n2; j++) out[k * 4 * n2 + j] += lamp_radiance[k] * coeffs[j];
     }
 }
 
-static float *grid_build(const scene *s, const sh_grid_f32 *g, const method *m, int bands)
-{
-    const size_t size = 3 * (size_t)m->planes * (size_t)(bands * bands), nx = (size_t)g->count[0], ny = (size_t)g->count[1];
-    const int nodes = g->count[0] * g->count[1] * g->count[2], step = m->source == SPHERES ? 8 : 1;
-    float *coeffs = need(NULL, (size_t)nodes * size, sizeof *coeffs);
-    int first, done = 0;
+typedef struct { sh_grid_f32 grid; float *coeffs; } field;
 
+static field field_build(const scene *s, method *m, int bands)
+{
+    const size_t size = 3 * (size_t)m->planes * (size_t)(bands * bands);
+    const int n = m->nodes, nodes = n * n * n, step = m->source == SPHERES ? 8 : 1;
+    const vec3 cell = mul(sub(s->high, s->low), 1 / (float)(n - 1));
+    const double start = now();
+    field f = { { { s->low.x, s->low.y, s->low.z }, { cell.x, cell.y, cell.z }, { n, n, n } }, NULL };
+    int i, done = 0;
+
+    f.coeffs = need(NULL, (size_t)nodes * size, sizeof *f.coeffs);
 #pragma omp parallel for schedule(dynamic)
-    for (first = 0; first < nodes; first += step) {
-        const size_t i = (size_t)first;
+    for (i = 0; i < nodes; i += step) {
+        float *out = f.coeffs + (size_t)i * size;
         if (m->source == SPHERES)
-            check(sh_spheres_grid_f32(bands, m->planes, 3, g, i, (size_t)(nodes - first < step ? nodes - first : step),
-                                      (size_t)s->l.count, s->l.sphere, s->l.radiance, coeffs + i * size));
+            check(sh_spheres_grid_f32(bands, m->planes, 3, &f.grid, (size_t)i,
+                                      (size_t)(nodes - i < step ? nodes - i : step), (size_t)s->l.count,
+                                      s->l.sphere, s->l.radiance, out));
         else {
-            const float node[3] = { g->origin[0] + g->cell[0] * (float)(i % nx), g->origin[1] + g->cell[1] * (float)(i / nx % ny),
-                                    g->origin[2] + g->cell[2] * (float)(i / nx / ny) };
-            add_triangles(s, node, m->source == TRIANGLES_AS_SPHERES, bands, coeffs + i * size);
+            const float node[3] = { s->low.x + cell.x * (float)(i % n), s->low.y + cell.y * (float)(i / n % n),
+                                    s->low.z + cell.z * (float)(i / n / n) };
+            add_triangles(s, node, m->source == TRIANGLES_AS_SPHERES, bands, out);
         }
 #pragma omp critical
         progress("grids", (double)(done += step) / nodes);
     }
-    return coeffs;
+    m->build = now() - start;
+    return f;
 }
 
 /* What a thread works on: points, their transfers, colours (albedo / pi, Fresnel), and the light there, packed. */
@@ -123,29 +131,12 @@ static void shade_point(const block *b, int i, int n2, float rgb[3])
 
 void shade(const scene *s, const view *w, const float *blocked, int bands, method *at, int methods)
 {
-    const int n2 = bands * bands, points = w->count;
-    sh_grid_f32 *grid = need(NULL, (size_t)methods, sizeof *grid);
-    float **coeffs = need(NULL, (size_t)methods, sizeof *coeffs);
+    field *f = need(NULL, (size_t)methods, sizeof *f);
     int i, threads = 0, done = 0;
 
     for (i = 0; i < methods; i++) {
-        const vec3 size = sub(s->high, s->low);
-        const int n = at[i].nodes;
-        const float cell[3] = { size.x / (float)(n - 1), size.y / (float)(n - 1), size.z / (float)(n - 1) };
-        const float origin[3] = { s->low.x, s->low.y, s->low.z };
-        int k;
-
-        at[i].rgb = need(at[i].rgb, 3 * (size_t)points, sizeof *at[i].rgb);
-        at[i].shade = at[i].build = 0;
-        if (at[i].scheme == PER_POINT) continue;
-        for (k = 0; k < 3; k++) {
-            grid[i].origin[k] = origin[k];
-            grid[i].cell[k] = cell[k];
-            grid[i].count[k] = n;
-        }
-        at[i].build = now();
-        coeffs[i] = grid_build(s, &grid[i], &at[i], bands);
-        at[i].build = now() - at[i].build;
+        at[i].rgb = need(NULL, 3 * (size_t)w->count, sizeof *at[i].rgb);
+        if (at[i].scheme != PER_POINT) f[i] = field_build(s, &at[i], bands);
     }
 #pragma omp parallel
     {
@@ -154,22 +145,23 @@ void shade(const scene *s, const view *w, const float *blocked, int bands, metho
         int first, k, j;
 
 #pragma omp for schedule(dynamic)
-        for (first = 0; first < points; first += BLOCK) {
-            const int count = points - first < BLOCK ? points - first : BLOCK;
+        for (first = 0; first < w->count; first += BLOCK) {
+            const int count = w->count - first < BLOCK ? w->count - first : BLOCK;
             transfers(s, blocked, bands, w->at + first, count, b);
             for (k = 0; k < methods; k++) {
                 const double start = now();
                 if (at[k].scheme == PER_POINT)
-                    check(sh_spheres_n_f32(bands, SH_VALUES, 3, (size_t)count, b->place[0], (size_t)s->l.count,
-                                           s->l.sphere, s->l.radiance, b->light));
+                    check(sh_spheres_n_f32(bands, SH_VALUES, 3, (size_t)count, b->place[0],
+                                           (size_t)s->l.count, s->l.sphere, s->l.radiance, b->light));
                 else
-                    check(sh_grid_interp_n_f32(bands, at[k].planes, 3, &grid[k], coeffs[k], at[k].scheme, SH_CLAMP,
-                                               (size_t)count, b->place[0], b->light));
-                for (j = 0; j < count; j++) shade_point(b, j, n2, at[k].rgb + 3 * (size_t)(first + j));
+                    check(sh_grid_interp_n_f32(bands, at[k].planes, 3, &f[k].grid, f[k].coeffs, at[k].scheme,
+                                               SH_CLAMP, (size_t)count, b->place[0], b->light));
+                for (j = 0; j < count; j++) shade_point(b, j, bands * bands, at[k].rgb + 3 * (first + j));
                 spent[k] += now() - start;
             }
 #pragma omp critical
-            if ((done += count) % (64 * BLOCK) < BLOCK) progress("shading", (double)done / points);
+            if ((done += count) % (64 * BLOCK) < BLOCK || done == w->count)
+                progress("shading", (double)done / w->count);
         }
 #pragma omp critical
         {
@@ -181,8 +173,7 @@ void shade(const scene *s, const view *w, const float *blocked, int bands, metho
     }
     for (i = 0; i < methods; i++) {
         at[i].shade /= threads;                                  /* all of them work all the time */
-        free(coeffs[i]);
+        free(f[i].coeffs);
     }
-    free(coeffs);
-    free(grid);
+    free(f);
 }

@@ -4,13 +4,16 @@
 
 #include <stdlib.h>
 
-#define PI 3.14159265f
+#define PI   3.14159265f
+#define TINY 1e-20f
+#define SEAM 1e-5f           /* triangles overlap a little: no ray slips between */
 
 /* ---- the hierarchy: binned surface-area heuristic, two children side by side ---- */
 
 typedef struct { vec3 low, high; int first, count; } node;        /* count 0: children at first, first + 1 */
-typedef struct { vec3 low, high, middle; int item; } box;
-struct bvh { node *at; int nodes; int *item; const mesh *m; const lights *l; int triangles; };
+typedef struct { vec3 low, high, middle; int item; } box;         /* item: triangle, or triangles + light */
+typedef struct { float t, u, v; int item; } hit;                  /* item -1: none */
+typedef struct { const mesh *m; const lights *l; int triangles, nodes; node *at; int *item; } bvh;
 
 static float axis_of(vec3 v, int axis) { return axis == 0 ? v.x : axis == 1 ? v.y : v.z; }
 
@@ -20,7 +23,11 @@ static float area(vec3 low, vec3 high)
     return d.x * d.y + d.y * d.z + d.z * d.x;
 }
 
-static vec3 centre(const lights *l, int i) { return vec(l->sphere[i], l->sphere[l->count + i], l->sphere[2 * l->count + i]); }
+static vec3 centre(const lights *l, int i)
+{
+    return vec(l->sphere[i], l->sphere[l->count + i], l->sphere[2 * l->count + i]);
+}
+
 static float radius(const lights *l, int i) { return l->sphere[3 * l->count + i]; }
 
 static box box_of(const bvh *b, int item)
@@ -125,7 +132,8 @@ static void build(bvh *b, int at, box *boxes, int first, int count)
     build(b, n->first + 1, boxes, first + left, count - left);
 }
 
-bvh *bvh_build(const mesh *m, int triangles, const lights *l)
+/* Over the mesh's first triangles and the lights, or NULL. */
+static bvh *bvh_build(const mesh *m, int triangles, const lights *l)
 {
     const int items = triangles + (l ? l->count : 0);
     bvh *b = need(NULL, 1, sizeof *b);
@@ -145,7 +153,7 @@ bvh *bvh_build(const mesh *m, int triangles, const lights *l)
     return b;
 }
 
-void bvh_free(bvh *b)
+static void bvh_free(bvh *b)
 {
     free(b->at);
     free(b->item);
@@ -153,8 +161,6 @@ void bvh_free(bvh *b)
 }
 
 /* ---- rays ---- */
-
-#define SEAM 1e-5f                                               /* triangles overlap a little: no ray slips between */
 
 /* Moeller and Trumbore 1997. Shadow rays pass through back faces: a vertex inside a closed part is not in its shade. */
 static void meet_triangle(const bvh *b, int item, vec3 from, vec3 d, int shadow, hit *h)
@@ -186,12 +192,13 @@ static float enter(const node *n, vec3 from, vec3 over, float far)              
     const vec3 s = vec(a.x * over.x, a.y * over.y, a.z * over.z), e = vec(z.x * over.x, z.y * over.y, z.z * over.z);
     const vec3 in = lower(s, e), out = upper(s, e);
     const float t = fmaxf(fmaxf(in.x, in.y), fmaxf(in.z, 0));
+
     return t <= fminf(fminf(out.x, out.y), fminf(out.z, far)) ? t : 2e30f;
 }
 
 static hit traverse(const bvh *b, vec3 from, vec3 d, int any)
 {
-    const vec3 over = vec(1 / (d.x != 0 ? d.x : 1e-20f), 1 / (d.y != 0 ? d.y : 1e-20f), 1 / (d.z != 0 ? d.z : 1e-20f));
+    const vec3 over = vec(1 / (d.x != 0 ? d.x : TINY), 1 / (d.y != 0 ? d.y : TINY), 1 / (d.z != 0 ? d.z : TINY));
     int stack[128], top = 0, i;
     hit h;
 
@@ -216,8 +223,8 @@ static hit traverse(const bvh *b, vec3 from, vec3 d, int any)
     return h;
 }
 
-hit bvh_closest(const bvh *b, vec3 from, vec3 direction) { return traverse(b, from, direction, 0); }
-int bvh_blocked(const bvh *b, vec3 from, vec3 direction) { return traverse(b, from, direction, 1).item >= 0; }
+static hit bvh_closest(const bvh *b, vec3 from, vec3 d) { return traverse(b, from, d, 0); }
+static int bvh_blocked(const bvh *b, vec3 from, vec3 d) { return traverse(b, from, d, 1).item >= 0; }
 
 /* ---- what the camera sees: one ray per pixel, SUB x SUB where neighbours differ ---- */
 
@@ -225,7 +232,14 @@ enum { SUB = 3 };
 
 typedef struct { vec3 n; float t; int kind; } seen;                /* kind: material, or -1 - light, or NOTHING */
 enum { NOTHING = 1000 };
-typedef struct { const camera *c; const mesh *m; const lights *l; bvh *b; vec3 right, up, ahead; int width, height; } eye;
+typedef struct {
+    const camera *c;
+    const mesh *m;
+    const lights *l;
+    bvh *b;
+    vec3 right, up, ahead;
+    int width, height;
+} eye;
 
 static vec3 ray(const eye *e, float x, float y)                    /* x, y in pixels */
 {
@@ -283,7 +297,8 @@ static int add_points(const eye *e, int x, int y, int sub, spot *to, float *glow
     int i, k, count = 0;
 
     for (i = 0; i < sub * sub; i++) {
-        const vec3 d = ray(e, (float)x + ((float)(i % sub) + 0.5f) / (float)sub, (float)y + ((float)(i / sub) + 0.5f) / (float)sub);
+        const float dx = ((float)(i % sub) + 0.5f) / (float)sub, dy = ((float)(i / sub) + 0.5f) / (float)sub;
+        const vec3 d = ray(e, (float)x + dx, (float)y + dy);
         const hit h = bvh_closest(e->b, e->c->eye, d);
         if (h.item >= e->m->triangles) {
             const float *rgb = e->l->radiance + h.item - e->m->triangles;
