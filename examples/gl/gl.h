@@ -38,13 +38,13 @@ void stage_move(const stage *s, int triangles, double time, light *now);    /* w
 void stage_free(stage *s);
 
 /* passes.c ---- */
-enum { FORWARD, REVERSE, MOMENTS };                         /* grid.comp says what they are */
-enum { SPHERES, TRIANGLES, POLYGONS };                      /* a light is a sphere, a triangle as a sphere, a triangle */
-enum { MAX_BANDS = 9, MAX_LIGHTS = 1 << 16 };
+enum { FORWARD, REVERSE, MOMENTS, LOBES };                  /* grid.comp says what they are */
+enum { SPHERE_LIGHTS, TRIANGLE_LIGHTS, POLYGON_LIGHTS };    /* spheres, triangles as spheres, exact triangles */
+enum { MIN_BANDS = 3, MAX_BANDS = 9, MAX_LIGHTS = 1 << 16 };
 typedef struct {
-    int bands, form, kind, scheme;                          /* scheme of sh_interp.h, or PER_POINT */
+    int bands, lobe_bands, form, kind, scheme;              /* scheme of sh_interp.h, or PER_POINT */
     int nodes[3], lanes;
-    int cut, occlusion, samples;                            /* shade.frag; 0 or 1; pixels per pixel and axis */
+    int occlusion, samples;                                 /* 0 or 1; pixels per pixel and axis */
     int width, height;                                      /* of the picture */
     float turn, error_scale;                                /* of the mesh; 0 or the heat map's */
 } settings;
@@ -66,5 +66,11 @@ float *passes_image(const settings *o, int which);          /* SURFACES: places;
 unsigned char *passes_picture(const settings *o);           /* [height][width][3] from the top, free it */
 void   passes_show(const settings *o, int width, int height);           /* on the window */
 void   passes_text(const settings *o, float x, float y, float zoom, const float ink[4], const char *text);
+
+/* check.c ---- largest difference of the GPU's grid from the C headers in double precision, over nodes, bands, channels
+ * and axes, in units of FLT_EPSILON times the node's largest value (gradient) in the band. */
+typedef struct { double value, gradient; } agreement;
+enum { AGREEMENT_BOUND = 64 };
+agreement check_grid(const settings *o, const stage *s, const light *now);
 
 #endif

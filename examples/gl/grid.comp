@@ -1,4 +1,4 @@
-/* grid.comp - pass 1: coefficients and gradients of every sphere light at every node of the grid.
+/* grid.comp - pass 1: coefficients and gradients of all lights at every node of the grid.
  *
  * One work group per node. Its threads are LANES lights by ROWS rows; each sums what its lights give to its row, the
  * lanes are added up at the end. FORM selects what a thread keeps while it walks over the lights:
@@ -9,11 +9,15 @@
  *               last light, by a small sparse product: d/dx_k [f(d) Y_lm] lies in bands l-1 and l+1, with radial
  *               factors f' + (l+1) f/d and f' - l f/d and coefficients that know nothing of the light.
  *
+ *     LOBES     exact triangles: zonal sums about one fixed axis, ROWS = 2n-1 axes; weights that know nothing of the
+ *               light turn them into coefficients after the last one (WR18, and Wu et al. 2020)
+ *
  * With TRIANGLES each sphere stands for a triangle (M22, 4.4): its light is scaled by the cosine to the triangle's
  * normal, whose own gradient adds a term along the normal. */
 #define FORWARD 0
 #define REVERSE 1
 #define MOMENTS 2
+#define LOBES   3
 
 #define TOP     (FORM == MOMENTS ? SH_BANDS : SH_BANDS - 1)             /* the highest band summed */
 #if FORM == MOMENTS
@@ -27,9 +31,10 @@
 
 layout(local_size_x = LANES, local_size_y = ROWS) in;
 
-struct Light { vec4 sphere, radiance, normal; };
+struct Light { vec4 sphere, radiance, normal, corner[3]; };
 layout(std430, binding = 0) readonly buffer Lights { Light light[]; };
 layout(std430, binding = 1) buffer Nodes { vec4 node[]; };              /* [node][coefficient][channel] */
+layout(std430, binding = 3) readonly buffer Axes { vec4 axis[17]; float axis_weight[]; };   /* [coefficient][axis] */
 uniform int lights;
 uniform ivec3 count;
 uniform vec3 origin, cell;
@@ -38,12 +43,15 @@ uniform bool add;                                                       /* to wh
 int place;                                                              /* the node's */
 vec3 point;
 int row, lane, order;                                                   /* order: m of the row */
+vec2 climb[TOP + 1];                                                    /* from l = |m| + j to l + 1 */
 
 shared vec3 u_of[CHUNK], radiance_of[CHUNK], turn_of[CHUNK];            /* turn: the gradient of the cosine / cosine */
 shared float distance_of[CHUNK], weight_of[3][SH_BANDS + 1][CHUNK];
 shared vec3 part[ROWS][BATCH][LANES + 1];
 #if FORM == MOMENTS
 shared vec3 moment[KEPT][(SH_BANDS + 1) * (SH_BANDS + 1)];
+#elif FORM == LOBES
+shared vec3 zonal[VALUES][ROWS];
 #endif
 
 void put(int i, int plane, vec3 rgb)
@@ -89,7 +97,19 @@ vec2 power(vec2 p, int m)
     return e;
 }
 
-#if FORM == FORWARD
+#if FORM == LOBES
+void accumulate(Light light, inout vec3 sum[VALUES])
+{
+    float s[SH_BANDS];
+    vec3 grad[SH_BANDS];
+    sh_triangle_zonal(light.corner[0].xyz - point, light.corner[1].xyz - point, light.corner[2].xyz - point,
+                      axis[row].xyz, s, grad);
+    for (int l = 0; l < SH_BANDS; l++) {
+        sum[4 * l] += s[l] * light.radiance.rgb;
+        for (int k = 0; k < 3; k++) sum[4 * l + 1 + k] += grad[l][k] * light.radiance.rgb;
+    }
+}
+#elif FORM == FORWARD
 void accumulate(int slot, inout vec3 sum[VALUES])
 {
     float g[SH_BANDS], dg[SH_BANDS], c[SH_N];
@@ -117,7 +137,7 @@ void accumulate(int slot, inout vec3 sum[VALUES])
     sh_column c = sh_first(m);
     for (int j = 0; j <= TOP; j++) {
         int l = m + j;
-        if (l > TOP) break;
+        if (l <= TOP) {
 #if FORM == MOMENTS
         vec3 y = radiance * (c.q * e.x);
         if (l < SH_BANDS) sum[KEPT * j] += weight_of[0][l][slot] * y;
@@ -137,7 +157,8 @@ void accumulate(int slot, inout vec3 sum[VALUES])
         sum[4 * j] += (g * y) * radiance;
         for (int k = 0; k < 3; k++) sum[4 * j + 1 + k] += grad[k] * radiance;
 #endif
-        sh_climb(c, l + 1, m, u.z);
+        }
+        sh_climb(c, climb[j], u.z);
     }
 }
 #endif
@@ -148,6 +169,8 @@ void store(int value, vec3 total)
 {
 #if FORM == FORWARD
     put(value / 4, value % 4, total);
+#elif FORM == LOBES
+    zonal[value][row] = total;
 #else
     int l = abs(order) + value / KEPT, i = l * (l + 1) + order;
     if (l > TOP) return;
@@ -218,6 +241,18 @@ void finish(int l, int m)
 }
 #endif
 
+#if FORM == LOBES
+void finish(int l, int m)
+{
+    int i = l * (l + 1) + m;
+    for (int plane = 0; plane < 4; plane++) {
+        vec3 total = vec3(0.0);
+        for (int j = 0; j < ROWS; j++) total += axis_weight[i * ROWS + j] * zonal[4 * l + plane][j];
+        put(i, plane, total);
+    }
+}
+#endif
+
 void main()
 {
     place = int(gl_WorkGroupID.x);
@@ -226,8 +261,13 @@ void main()
     row = int(gl_LocalInvocationID.y);
     order = row - ROWS / 2;
 
+
     vec3 sum[VALUES];
     for (int i = 0; i < VALUES; i++) sum[i] = vec3(0.0);
+#if FORM == LOBES
+    for (int i = lane; i < lights; i += LANES) accumulate(light[i], sum);
+#else
+    for (int j = 0; j <= TOP; j++) climb[j] = sh_step(min(abs(order) + j + 1, TOP + 1), abs(order));
     for (int first = 0; first < lights; first += CHUNK) {
         int here = min(CHUNK, lights - first);
         for (int i = int(gl_LocalInvocationIndex); i < here; i += LANES * ROWS) prepare(i, light[first + i]);
@@ -235,8 +275,9 @@ void main()
         for (int i = lane; i < here; i += LANES) accumulate(i, sum);
         barrier();
     }
+#endif
     reduce(sum);
-#if FORM == MOMENTS
+#if FORM == MOMENTS || FORM == LOBES
     for (int i = int(gl_LocalInvocationIndex); i < SH_N; i += LANES * ROWS) {
         int l = int(sqrt(float(i) + 0.5));
         finish(l, i - l * (l + 1));

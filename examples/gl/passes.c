@@ -1,4 +1,6 @@
 /* passes.c - shaders and buffers, and the passes of a frame. */
+#include "sh_polygon.h"
+#include "sh_product.h"
 #include "gl.h"
 #include "gl_shaders.h"                                     /* the shader files as arrays of lines, by rules.mk */
 
@@ -87,9 +89,9 @@ static void   set3(GLuint p, const char *name, vec3 v) { glUniform3f(at(p, name)
 
 /* ---- buffers and targets ---- */
 
-enum { LIGHTS, NODES, MATERIALS, BUFFERS };
+enum { LIGHTS, NODES, MATERIAL_TABLE, AXES, BUFFERS };
 enum { PLACES, NORMALS, EMITTED, OPEN_RAW, OPEN, SHADED, REFERENCE, SHOWN, TARGETS };
-static GLuint buffer[BUFFERS], vertices, letters, arrays, letter_array, target[TARGETS], depth, canvas[TARGETS], query[PASSES];
+static GLuint buffer[BUFFERS], texels[BUFFERS], vertices, letters, arrays, letter_array, target[TARGETS], depth, canvas[TARGETS], query[PASSES];
 static int    light_count, vertex_count, turning_count, target_width, target_height, target_samples;
 
 static void store(int which, size_t bytes, const void *data)
@@ -97,23 +99,47 @@ static void store(int which, size_t bytes, const void *data)
     glBindBuffer(GL_SHADER_STORAGE_BUFFER, buffer[which]);
     glBufferData(GL_SHADER_STORAGE_BUFFER, (GLsizeiptr)bytes, data, GL_DYNAMIC_DRAW);
     glBindBufferBase(GL_SHADER_STORAGE_BUFFER, (GLuint)which, buffer[which]);
+    glTextureBuffer(texels[which], GL_RGBA32F, buffer[which]);
 }
 
-/* As struct Material of shade.frag lays it out. The lobe: L_lm of the light times lobe[l] Y_lm(mirror) leaves. */
-static void materials(void)
+/* As struct Material of shade.frag lays it out. The lobe: of the light's L_lm, lobe[l] L_lm Y_lm(mirror) leaves. */
+static void send_materials(void)
 {
-    static const float of[4][5] = { {0.72f, 0.72f, 0.70f, 0.06f, 0.30f}, {0.42f, 0.40f, 0.38f, 0.05f, 0.35f},
-                                    {0.10f, 0.10f, 0.12f, 0.05f, 0.35f}, {0.55f, 0.53f, 0.52f, 0.04f, 0.80f} };
-    float to[4][16];
+    float to[MATERIALS][16];
     int i, l;
 
     memset(to, 0, sizeof to);
-    for (i = 0; i < 4; i++) {
-        memcpy(to[i], of[i], 4 * sizeof(float));
-        to[i][4] = fmaxf(1 - of[i][4], of[i][3]);
-        for (l = 0; l < MAX_BANDS; l++) to[i][5 + l] = expf(-0.25f * (float)(l * (l + 1)) * of[i][4] * of[i][4]);
+    for (i = 0; i < MATERIALS; i++) {
+        const material *m = &materials[i];
+        memcpy(to[i], m->albedo, sizeof m->albedo);
+        to[i][3] = m->f0;
+        to[i][4] = fmaxf(1 - sqrtf(m->alpha), m->f0);
+        sh_zonal_ggx_f32(MAX_BANDS, m->alpha, to[i] + 5);
+        for (l = 0; l < MAX_BANDS; l++) to[i][5 + l] *= sqrtf(12.5663706f / (float)(2 * l + 1));
     }
-    store(MATERIALS, sizeof to, to);
+    store(MATERIAL_TABLE, sizeof to, to);
+}
+
+/* As buffer Axes of grid.comp: a set of the header's lobes, and what turns sums about them to coefficients. */
+static int axes(int bands) { return 2 * (bands | 1) - 1; }
+
+static void send_axes(int bands)
+{
+    static const double *const lobes[] = { shi_lobes_3, shi_lobes_5, shi_lobes_7, shi_lobes_9 };
+    static const double *const weights[] = { shi_weights_3, shi_weights_5, shi_weights_7, shi_weights_9 };
+    static float to[17 * 4 + 81 * 17];
+    const int set = bands / 2 - 1;
+    static int held;
+    int i;
+
+    if (held == bands) return;
+    for (i = 0; i < 3 * axes(bands); i++) to[i / 3 * 4 + i % 3] = (float)lobes[set][i];
+    for (i = 0; i < bands * bands * axes(bands); i++) {
+        const int l = (int)sqrtf((float)(i / axes(bands)) + 0.5f);
+        to[17 * 4 + i] = (float)(weights[set][i] * sqrt((2 * l + 1) / 12.566370614359172));
+    }
+    store(AXES, sizeof to, to);
+    held = bands;
 }
 
 void passes_open(const stage *s)
@@ -121,6 +147,7 @@ void passes_open(const stage *s)
     int i;
 
     glGenBuffers(BUFFERS, buffer);
+    glCreateTextures(GL_TEXTURE_BUFFER, BUFFERS, texels);
     glGenQueries(PASSES, query);
     glGenVertexArrays(1, &arrays);
     glGenVertexArrays(1, &letter_array);
@@ -139,7 +166,7 @@ void passes_open(const stage *s)
     glBindBuffer(GL_ARRAY_BUFFER, letters);
     glVertexAttribPointer(0, 2, GL_FLOAT, GL_FALSE, 2 * sizeof(float), NULL);
     glEnableVertexAttribArray(0);
-    materials();
+    send_materials();
 }
 
 void passes_close(void)
@@ -148,6 +175,7 @@ void passes_close(void)
     for (i = 0; i < program_count; i++) glDeleteProgram(programs[i].id);
     program_count = 0;
     glDeleteBuffers(BUFFERS, buffer);
+    glDeleteTextures(BUFFERS, texels);
     glDeleteBuffers(1, &vertices);
     glDeleteBuffers(1, &letters);
     glDeleteVertexArrays(1, &arrays);
@@ -245,20 +273,22 @@ double passes_ms(int pass)
 void pass_grid(const settings *o, const stage *s)
 {
     const int nodes = o->nodes[0] * o->nodes[1] * o->nodes[2], n = o->bands;
-    const int rows = o->form == FORWARD ? 1 : o->form == REVERSE ? 2 * n - 1 : 2 * n + 1;
+    const int form = o->kind == POLYGON_LIGHTS ? LOBES : o->form;
+    const int rows = form == FORWARD ? 1 : form == MOMENTS ? 2 * n + 1 : form == LOBES ? axes(n) : 2 * n - 1;
     const size_t bytes = (size_t)nodes * (size_t)(n * n) * 12 * sizeof(float);
     static size_t held;
     GLuint p;
 
     if (bytes != held) store(NODES, held = bytes, NULL);
-    p = use(FILES(sh_glsl, grid_comp), NULL, "#define SH_BANDS %d\n#define FORM %d\n#define TRIANGLES %d\n#define LANES %d\n#define ROWS %d\n",
-            n, o->form, o->kind == TRIANGLES, o->lanes, rows);
+    if (form == LOBES) send_axes(n);
+    p = use(FILES(sh_glsl, polygon_glsl, grid_comp), NULL, "#define SH_BANDS %d\n#define FORM %d\n#define TRIANGLES %d\n#define LANES %d\n#define ROWS %d\n",
+            n, form, o->kind == TRIANGLE_LIGHTS, o->lanes, rows);
     set1(p, "lights", light_count);
     set1(p, "add", 0);
     grid(p, o, s);
     begin(GRID);
     glDispatchCompute((GLuint)nodes, 1, 1);
-    glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT);
+    glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_TEXTURE_FETCH_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT);
     end();
 }
 
@@ -285,7 +315,7 @@ void pass_surfaces(const settings *o, const camera *c)
     glDrawArrays(GL_TRIANGLES, turning_count, vertex_count - turning_count);
     p = use(FILES(surface_vert), FILES(surface_frag), "#define LIGHTS 1\n");
     see(p, o, c);
-    glDrawArraysInstanced(GL_TRIANGLES, 0, o->kind == SPHERES ? 12 * 8 * 6 : 3, light_count);
+    glDrawArraysInstanced(GL_TRIANGLES, 0, o->kind == SPHERE_LIGHTS ? 12 * 8 * 6 : 3, light_count);
     glGenerateTextureMipmap(target[EMITTED]);
     end();
 }
@@ -309,16 +339,20 @@ void pass_occlusion(const settings *o, const camera *c)
 void pass_shading(const settings *o, const stage *s, const camera *c, int as_reference)
 {
     const GLuint p = use(FILES(whole_vert), FILES(sh_glsl, shade_frag),
-                         "#define SH_BANDS %d\n#define LIGHT_BANDS %d\n#define SCHEME %d\n#define PER_PIXEL %d\n#define CUT %d\n",
-                         o->cut ? MAX_BANDS : o->bands, o->bands, o->scheme, o->scheme == PER_POINT, o->cut);
+                         "#define SH_BANDS %d\n#define LIGHT_BANDS %d\n#define PER_PIXEL %d\n",
+                         o->lobe_bands, o->bands, o->scheme == PER_POINT);
     begin(SHADING);
-    set1(p, "lights", light_count);
+    set1(p, "light_count", light_count);
+    set1(p, "scheme", o->scheme);
+    set1(p, "terms", o->bands * o->bands);
     set1(p, "occluded", o->occlusion);
     set3(p, "eye", c->eye);
     grid(p, o, s);
     glBindTextureUnit(0, target[PLACES]);
     glBindTextureUnit(1, target[NORMALS]);
     glBindTextureUnit(2, target[OPEN]);
+    glBindTextureUnit(3, texels[LIGHTS]);
+    glBindTextureUnit(4, texels[NODES]);
     whole(as_reference ? REFERENCE : SHADED, o->width * o->samples, o->height * o->samples);
     end();
 }

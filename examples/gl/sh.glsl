@@ -76,11 +76,15 @@ sh_column sh_first(int m)
     return sh_column(SH_K[m], 0.0, 0.0, 0.0);
 }
 
-/* From l-1 to l. */
-void sh_climb(inout sh_column c, int l, int m, float z)
+/* From l-1 to l, with the constants of (l, m). */
+vec2 sh_step(int l, int m)
 {
-    float a = SH_A[l * (l + 1) / 2 + m], b = SH_B[l * (l + 1) / 2 + m];
-    c = sh_column(a * z * c.q - b * c.q1, c.q, a * (z * c.d + c.q) - b * c.d1, c.d);
+    return vec2(SH_A[l * (l + 1) / 2 + m], SH_B[l * (l + 1) / 2 + m]);
+}
+
+void sh_climb(inout sh_column c, vec2 s, float z)
+{
+    c = sh_column(s.x * z * c.q - s.y * c.q1, c.q, s.x * (z * c.d + c.q) - s.y * c.d1, c.d);
 }
 
 /* (a+ib)(c+id) */
@@ -97,7 +101,7 @@ void sh_eval(vec3 u, out float y[SH_N])
         for (int l = m; l < SH_BANDS; l++) {
             y[l * (l + 1) - m] = c.q * e.y;
             y[l * (l + 1) + m] = c.q * e.x;
-            sh_climb(c, l + 1, m, u.z);
+            sh_climb(c, sh_step(l + 1, m), u.z);
         }
         e = sh_times(e, u.xy);
     }
@@ -125,7 +129,7 @@ void sh_eval_grad(vec3 v, out float y[SH_N], out vec3 grad[SH_N])
             y[i + m] = c.q * e.x;
             grad[i - m] = (sine - u * dot(u, sine)) / distance;  /* the part along the sphere */
             grad[i + m] = (cosine - u * dot(u, cosine)) / distance;
-            sh_climb(c, l + 1, m, u.z);
+            sh_climb(c, sh_step(l + 1, m), u.z);
         }
         e1 = e;
         e = sh_times(e, u.xy);

@@ -1,20 +1,20 @@
 /* shade.frag - pass 2: the light at a pixel's place, by the grid or by all lights anew, and what leaves its surface.
  *
  * The light is an SH vector of LIGHT_BANDS bands per channel. It leaves by two dot products with transfer vectors: the
- * clamped cosine about the normal, and the GGX lobe about the mirror direction (both zonal; SH_BANDS = 9 bands), the
- * lobe cut by the clamped cosine too when CUT is set, and divided by what the cut leaves of it. */
+ * clamped cosine about the normal, and the GGX lobe about the mirror direction, of SH_BANDS bands, cut by the clamped
+ * cosine (MP21, Eq. 11: multiplying the lobe instead of the light is the same, once instead of per channel) and
+ * divided by what the cut leaves of it, so that all of a white room comes back. */
 #define LIGHT_N (LIGHT_BANDS * LIGHT_BANDS)
 
-struct Light { vec4 sphere, radiance, normal, corner[3]; };
 struct Material { vec3 albedo; float f0, f90, lobe[9]; };
 
-layout(std430, binding = 0) readonly buffer Lights { Light light[]; };
-layout(std430, binding = 1) readonly buffer Nodes { vec4 node[]; };     /* [node][coefficient][channel] */
 layout(std430, binding = 2) readonly buffer Materials { Material materials[]; };
 layout(binding = 0) uniform sampler2D places;
 layout(binding = 1) uniform sampler2D normals;
 layout(binding = 2) uniform sampler2D occlusion;
-uniform int lights;
+layout(binding = 3) uniform samplerBuffer lights;                       /* [light][6], as struct Light of grid.comp */
+layout(binding = 4) uniform samplerBuffer nodes;                        /* [node][coefficient][channel] */
+uniform int light_count, scheme, terms;                                 /* terms = LIGHT_N, a loop not to unroll */
 uniform ivec3 count;
 uniform vec3 origin, cell, eye;
 uniform bool occluded;
@@ -25,18 +25,14 @@ float gloss[SH_N], diffuse[SH_N];                                       /* the t
 
 void transfers(vec3 normal, vec3 mirror, const in float lobe[9])
 {
-    sh_eval(normal, diffuse);
-    for (int i = 0; i < LIGHT_N; i++) diffuse[i] *= sh_diffuse_zonal(int(sqrt(float(i) + 0.5)));
-#if CUT
     float g[SH_BANDS];
     for (int l = 0; l < SH_BANDS; l++) g[l] = lobe[l];
     sh_cosine_zonal(normal, mirror, g, gloss);
     float left = max(gloss[0] * sqrt(4.0 * SH_PI), 0.05);
     for (int i = 0; i < LIGHT_N; i++) gloss[i] /= left;
-#else
-    sh_eval(mirror, gloss);
-    for (int i = 0; i < LIGHT_N; i++) gloss[i] *= lobe[int(sqrt(float(i) + 0.5))];
-#endif
+    sh_eval(normal, diffuse);
+    for (int l = 0; l < LIGHT_BANDS; l++)
+        for (int i = l * l; i < (l + 1) * (l + 1); i++) diffuse[i] *= sh_diffuse_zonal(l);
 }
 
 #if PER_PIXEL
@@ -45,11 +41,12 @@ void gather(vec3 point, out vec3 d, out vec3 g)
 {
     d = vec3(0.0);
     g = vec3(0.0);
-    for (int i = 0; i < lights; i++) {
-        float weight[SH_BANDS], slope[SH_BANDS], distance = length(light[i].sphere.xyz - point);
-        vec3 u = (light[i].sphere.xyz - point) / max(distance, 1e-30);
+    for (int i = 0; i < light_count; i++) {
+        vec4 sphere = texelFetch(lights, 6 * i), triangle = texelFetch(lights, 6 * i + 2);
+        float weight[SH_BANDS], slope[SH_BANDS], distance = length(sphere.xyz - point);
+        vec3 u = (sphere.xyz - point) / max(distance, 1e-30), rgb = texelFetch(lights, 6 * i + 1).rgb;
         vec2 e = vec2(1.0, 0.0), t = vec2(0.0);
-        sh_sphere_weights(distance, light[i].sphere.w, weight, slope);
+        sh_sphere_weights(distance, sphere.w, weight, slope);
         for (int m = 0; m < LIGHT_BANDS; m++) {
             sh_column c = sh_first(m);
             for (int l = m; l < LIGHT_BANDS; l++) {
@@ -57,13 +54,13 @@ void gather(vec3 point, out vec3 d, out vec3 g)
                 float q = weight[l] * c.q;
                 t += q * e.x * vec2(diffuse[k + m], gloss[k + m]);
                 if (m > 0) t += q * e.y * vec2(diffuse[k - m], gloss[k - m]);
-                sh_climb(c, l + 1, m, u.z);
+                sh_climb(c, sh_step(l + 1, m), u.z);
             }
             e = sh_times(e, u.xy);
         }
-        if (light[i].normal.w > 0.0) t *= abs(dot(light[i].normal.xyz, u));     /* a triangle as a sphere */
-        d += light[i].radiance.rgb * t.x;
-        g += light[i].radiance.rgb * t.y;
+        if (triangle.w > 0.0) t *= abs(dot(triangle.xyz, u));           /* a triangle as a sphere */
+        d += rgb * t.x;
+        g += rgb * t.y;
     }
 }
 #else
@@ -74,22 +71,19 @@ void gather(vec3 point, out vec3 d, out vec3 g)
     vec3 p = clamp((point - origin) / cell, vec3(0.0), vec3(count - 1));
     ivec3 first = min(ivec3(p), count - 2);
     int at[8];
-    sh_grid_weights(SCHEME, p - vec3(first), cell, w);
+    sh_grid_weights(scheme, p - vec3(first), cell, w);
     for (int k = 0; k < 8; k++) {
         ivec3 c = first + ivec3(k & 1, k >> 1 & 1, k >> 2);
         at[k] = (c.x + count.x * (c.y + count.y * c.z)) * LIGHT_N * 3;
     }
     d = vec3(0.0);
     g = vec3(0.0);
-    for (int i = 0; i < LIGHT_N; i++) {
+    for (int i = 0; i < terms; i++) {
         vec3 c = vec3(0.0);
         for (int k = 0; k < 8; k++) {
             int j = at[k] + 3 * i;
-#if SCHEME == 0                                                         /* SH_TRILINEAR reads no gradient */
-            c += w[k].x * vec3(node[j].x, node[j + 1].x, node[j + 2].x);
-#else
-            c += vec3(dot(w[k], node[j]), dot(w[k], node[j + 1]), dot(w[k], node[j + 2]));
-#endif
+            c += vec3(dot(w[k], texelFetch(nodes, j)), dot(w[k], texelFetch(nodes, j + 1)),
+                      dot(w[k], texelFetch(nodes, j + 2)));
         }
         d += diffuse[i] * c;
         g += gloss[i] * c;

@@ -41,39 +41,33 @@ static vec3 get(const float *v) { return vec(v[0], v[1], v[2]); }
 
 void stage_build(stage *s, int count, int quick)
 {
-    mesh m;
-    lights l;
+    scene r;
     int i, k;
 
     memset(s, 0, sizeof *s);
-    memset(&m, 0, sizeof m);
-    s->low = vec(-6, -4.5f, 0);
-    s->high = vec(6, 5.5f, 6.5f);
-    s->eye.eye = vec(1.2f, -12.5f, 4.4f);
-    s->eye.at = vec(0, 0, 1.9f);
-    s->eye.width = 0.86f;
-    mesh_teapot(&m, quick ? 8 : 20);
-    mesh_place(&m, -0.5f, vec(6.0f, 5.0f, 3.2f));
-    s->turning = 3 * m.triangles;
-    mesh_add_room(&m, s->low, s->high, 0.5f);
-    s->vertices = 3 * m.triangles;
+    memset(&r, 0, sizeof r);
+    scene_build(&r, NULL, 'y', count, quick);
+    s->low = r.low;
+    s->high = r.high;
+    s->eye = r.c;
+    s->turning = 3 * r.casters;
+    s->vertices = 3 * r.m.triangles;
     s->vertex = need(NULL, 7 * (size_t)s->vertices, sizeof *s->vertex);
-    for (i = 0; i < m.triangles; i++)
+    for (i = 0; i < r.m.triangles; i++)
         for (k = 0; k < 3; k++) {
             float *v = s->vertex + 7 * (3 * i + k);
-            put(v, m.v[m.t[i].v[k]].p);
-            put(v + 3, m.v[m.t[i].v[k]].n);
-            v[6] = (float)m.t[i].material;
+            put(v, r.m.v[r.m.t[i].v[k]].p);
+            put(v + 3, r.m.v[r.m.t[i].v[k]].n);
+            v[6] = (float)r.m.t[i].material;
         }
-    lights_hang(&l, count, s->low, s->high);
-    s->count = l.count;
-    s->lights = need(NULL, (size_t)l.count, sizeof *s->lights);
-    for (i = 0; i < l.count; i++)
+    s->count = r.l.count;
+    s->lights = need(NULL, (size_t)s->count, sizeof *s->lights);
+    for (i = 0; i < s->count; i++)
         for (k = 0; k < 4; k++) {
-            s->lights[i].sphere[k] = l.sphere[k * l.count + i];
-            if (k < 3) s->lights[i].radiance[k] = l.radiance[k * l.count + i];
+            s->lights[i].sphere[k] = r.l.sphere[k * s->count + i];
+            if (k < 3) s->lights[i].radiance[k] = r.l.radiance[k * s->count + i];
         }
-    free(m.v); free(m.t); free(l.sphere); free(l.radiance);
+    free(r.m.v); free(r.m.t); free(r.l.sphere); free(r.l.radiance);
 }
 
 /* Every light swings a little about its place. As a triangle it has the sphere's disc's area, its centre, and faces

@@ -1,0 +1,82 @@
+/* polygon.glsl - the light of a triangle about an axis: S_l = integral of P_l(axis . w) over its directions, and the
+ * gradient of S_l by the shading point. After sh.glsl; a, b, c are the corners less that point.
+ *
+ * Wang and Ramamoorthi 2018 (WR18), in a form that keeps its accuracy: no cross product of unit vectors, -c^2 in place
+ * of a^2 + b^2 - 1, bands l >= 1 without the solid angle. The gradient is carried along the boundary. Both lose
+ * accuracy as (distance/size)^2, so small triangles are integrated by seven points instead. */
+
+/* One edge A to B. */
+void sh_edge_zonal(vec3 from, vec3 to, vec3 axis, inout float s[SH_BANDS], inout vec3 grad[SH_BANDS])
+{
+    vec3 edge = to - from, normal = cross(from, edge);
+    float area = length(normal), near = length(from), both = near * length(to);
+    if (area == 0.0) return;
+    vec3 mu = normal / area, w = from / near;
+    float cosine = dot(from, to) / both, sine = area / both, gamma = atan(area, dot(from, to));
+    float a = dot(w, axis), b = dot(cross(mu, w), axis), c = dot(mu, axis);
+    float z0 = a, z1 = a * cosine + b * sine, d0 = b, d1 = b * cosine - a * sine;
+    float k0 = 1.0 / near, k1 = -dot(edge, w) / area, k = k0 * a + k1 * b;
+    float K0 = -k1, K1 = k0 * sine - k1 * cosine;
+
+    float p0 = 1.0, p1 = 1.0, p0_ = 0.0, p1_ = 0.0;             /* P_l(z0), P_l(z1); a trailing _: of l-1 */
+    float B = gamma, B_ = 0.0, D = 0.0, D_ = 0.0, G = K1 - K0, G_ = 0.0, H = 0.0, H_ = 0.0;
+    grad[0] += mu * G;
+    for (int l = 1; l < SH_BANDS; l++) {
+        float f = float(l), g = 2.0 * f - 1.0;
+        float B2 = (g * (d0 * p0 - d1 * p1 - c * c * D) + (f - 1.0) * (f - 1.0) * B_) / (f * f);
+        float D2 = D_ + g * B, H2 = H_ + g * G;
+        float q0 = (g * z0 * p0 - (f - 1.0) * p0_) / f, q1 = (g * z1 * p1 - (f - 1.0) * p1_) / f;
+        float G2 = (q1 * K1 - q0 * K0 + k * D2 - H) / (f + 1.0);
+        s[l] += c * D2 / (f * (f + 1.0));
+        grad[l] += mu * G2;
+        B_ = B; B = B2; D_ = D; D = D2; G_ = G; G = G2; H_ = H; H = H2;
+        p0_ = p0; p0 = q0; p1_ = p1; p1 = q1;
+    }
+}
+
+/* One point of a rule for small triangles; area2 = (b-a) x (c-a). */
+void sh_point_zonal(float weight, vec3 p, vec3 area2, vec3 axis, inout float s[SH_BANDS], inout vec3 grad[SH_BANDS])
+{
+    float r = inversesqrt(dot(p, p)), t = dot(p, axis) * r, facing = dot(p, area2) * r, k = weight * facing * r * r;
+    vec3 u = p * r, across = (axis - u * t) * (k * r), along = (weight * r * r * r) * (area2 - 3.0 * facing * u);
+    float q = 1.0, q_ = 0.0, dq = 0.0;                          /* P_l(t), P_{l-1}, P'_l */
+    for (int l = 0; l < SH_BANDS; l++) {
+        s[l] += k * q;
+        grad[l] -= dq * across + q * along;
+        float next = (float(2 * l + 1) * t * q - float(l) * q_) / float(l + 1);
+        dq = float(l + 1) * q + t * dq;
+        q_ = q;
+        q = next;
+    }
+}
+
+/* Positive from either side. */
+void sh_triangle_zonal(vec3 a, vec3 b, vec3 c, vec3 axis, out float s[SH_BANDS], out vec3 grad[SH_BANDS])
+{
+    vec3 area2 = cross(b - a, c - a), middle = (a + b + c) / 3.0;
+    float det = dot(a, area2), size = max(length(b - a), max(length(c - b), length(a - c)));
+    for (int l = 0; l < SH_BANDS; l++) {
+        s[l] = 0.0;
+        grad[l] = vec3(0.0);
+    }
+    if (float(SH_BANDS) * size < 0.7 * length(middle)) {        /* Radon's rule of degree 5 */
+        const float near = 0.470142064, wide = 0.101286507;     /* (6 + sqrt 15)/21, (6 - sqrt 15)/21 */
+        sh_point_zonal(0.1125, middle, area2, axis, s, grad);
+        for (int k = 0; k < 3; k++) {
+            vec3 corner = k == 0 ? a : k == 1 ? b : c;
+            sh_point_zonal(0.0661970764, 3.0 * near * middle + (1.0 - 3.0 * near) * corner, area2, axis, s, grad);
+            sh_point_zonal(0.0629695903, 3.0 * wide * middle + (1.0 - 3.0 * wide) * corner, area2, axis, s, grad);
+        }
+    } else {
+        float x = length(a), y = length(b), z = length(c);      /* van Oosterom and Strackee 1983 */
+        s[0] = 2.0 * atan(det, x * y * z + dot(a, b) * z + dot(b, c) * x + dot(c, a) * y);
+        sh_edge_zonal(a, b, axis, s, grad);
+        sh_edge_zonal(b, c, axis, s, grad);
+        sh_edge_zonal(c, a, axis, s, grad);
+    }
+    if (det < 0.0)
+        for (int l = 0; l < SH_BANDS; l++) {
+            s[l] = -s[l];
+            grad[l] = -grad[l];
+        }
+}
