@@ -41,6 +41,7 @@
 
 enum { SH_BOTH = 0, SH_FRONT = 1, SH_SIGNED = 2 };
 enum { SH_MAX_POLYGON_BANDS = 16 };
+enum { SH_USED_EXACT = 0, SH_USED_SPHERE = 1, SH_USED_CUBATURE = 2, SH_USED_SUBDIVISION = 3 };  /* sh_polygon_within */
 
 /* BEGIN tools/gen_lobes.py */
 /* Gauss-Legendre on [-1,1], nodes >= 0 and their weights: the n-point rule starts at n*n/4 */
@@ -3629,6 +3630,21 @@ SHI_NOINLINE int shi_polygon_engine(int bands, int sides, int tight, const doubl
                                     int floats, double *coeffs, double *grad, double *fan_size);
 SHI_NOINLINE int shi_triangle_sphere(int bands, int sides, const double x[3], const double v[9], double *out, double *grad, double *error);
 
+SHI_NOINLINE int shi_within_engine(int bands, int sides, int tight, double tolerance, const double point[3], size_t count,
+                                   const void *vertices, int floats, double *out, double *grad, double *error, int *used);
+/* the double engine's parts that the float functions call before they are compiled */
+typedef struct {
+    const void *vertices;
+    size_t count;
+    int floats;
+    double point[3], scale;
+} shi_scene;
+SHI_NOINLINE int shi_polygon_zonal_engine(int bands, int tight, const double axis[3], const double point[3], size_t count,
+                                          const void *vertices, int floats, double *s, double *grad);
+SHI_INLINE int  shi_zonal_edge(const shi_scene *scene, size_t i, double out[14]);
+SHI_INLINE void shi_zonal_steps(int n, double *steps);
+SHI_INLINE void shi_scene_open(shi_scene *scene, const double point[3], size_t count, const void *vertices, int floats);
+
 #define SHI_FILE SH_POLYGON_FILENAME
 #define SHI_ROOM SHI_INSTANTIATE
 #include SH_GRADIENT_FILENAME
@@ -4172,6 +4188,66 @@ SHI_INLINE void SHI_KN(shi_polygon_block)(int n, int planes, int sides, const SH
     }
     *hard = bad;
 }
+
+/* ---- WR18: lanes are zonal lobes ---- */
+
+/* Adds one edge's integrals about the axes dir: s[l] += c D_l/(l(l+1)), l >= 1, and with g: g[axis][l] += mu G_l (planes of n).
+ * edge: w lambda mu (3 each), gamma, cos gamma, sin gamma, k0, k1. steps[l] = { 1/l^2, 1/(l(l+1)), 1/(l+1), (2l-1)/l, (l-1)/l }.
+ * Source: WR18 Eq. 20, 30-32 with -c^2 for a^2+b^2-1, and without S_{l-2}: S_l = sum c D_l/(l(l+1)). */
+SHI_INLINE void SHI_KN(shi_polygon_zonal_edge)(int n, const SHI_V dir[3], const SHI_T *edge, const SHI_T *steps, SHI_V *s, SHI_V *g)
+{
+    const SHI_T *const w = edge, *const la = edge + 3, *const mu = edge + 6, gamma = edge[9], co = edge[10], si = edge[11], k0 = edge[12], k1 = edge[13];
+    const SHI_T end0 = -k1, end1 = k0 * si - k1 * co;           /* K(0), K(gamma) */
+    const SHI_V a = dir[0] * w[0] + dir[1] * w[1] + dir[2] * w[2], b = dir[0] * la[0] + dir[1] * la[1] + dir[2] * la[2];
+    const SHI_V c = dir[0] * mu[0] + dir[1] * mu[1] + dir[2] * mu[2];
+    const SHI_V z0 = a, z1 = a * co + b * si, d0 = b, d1 = b * co - a * si, cc = c * c, kk = k0 * a + k1 * b;
+    SHI_V p0 = SHI_SPLAT(0), q0 = SHI_SPLAT(1), p1 = p0, q1 = q0;       /* P_{l-1}, P_l at z0 and z1 */
+    SHI_V b0 = p0, b1 = SHI_SPLAT(gamma), e0 = p0, e1 = p0, h0 = p0, h1 = p0, gl = SHI_SPLAT(end1 - end0);
+    int l;
+    if (g) {
+        g[0] += mu[0] * gl;
+        g[n] += mu[1] * gl;
+        g[2 * n] += mu[2] * gl;
+    }
+    for (l = 1; l < n; l++) {
+        /* on entry: q = P_{l-1}, p = P_{l-2}; b1 = B_{l-1}, b0 = B_{l-2}; e1 = D_{l-1}, e0 = D_{l-2}; h1 = H_{l-1}, h0 = H_{l-2} */
+        const SHI_T *const k = steps + 5 * l;
+        const SHI_V d = e0 + SHI_C(2 * l - 1) * b1;
+        const SHI_V t = k[0] * (SHI_C(2 * l - 1) * (d0 * q0 - d1 * q1 - cc * e1) + SHI_C((l - 1) * (l - 1)) * b0);
+        SHI_V r = k[3] * (z0 * q0) - k[4] * p0;
+        p0 = q0;
+        q0 = r;
+        r = k[3] * (z1 * q1) - k[4] * p1;
+        p1 = q1;
+        q1 = r;
+        e0 = e1;
+        e1 = d;
+        b0 = b1;
+        b1 = t;
+        s[l] += k[1] * (c * d);
+        if (g) {
+            const SHI_V h = h0 + SHI_C(2 * l - 1) * gl;
+            gl = k[2] * (q1 * end1 - q0 * end0 + kk * d - h1);
+            h0 = h1;
+            h1 = h;
+            g[l] += mu[0] * gl;
+            g[n + l] += mu[1] * gl;
+            g[2 * n + l] += mu[2] * gl;
+        }
+    }
+}
+
+/* out[i] = sum_d weights[i][d] s[l(i)][d], d padded to vectors: WR18 Eq. 33 */
+SHI_INLINE void SHI_KN(shi_polygon_lobe_sum)(int n, int vectors, const SHI_T *weights, const SHI_V *s, SHI_T *out)
+{
+    int l, i, d;
+    for (l = 0; l < n; l++)
+        for (i = l * l; i < (l + 1) * (l + 1); i++) {
+            SHI_V sum = SHI_SPLAT(0);
+            for (d = 0; d < vectors; d++) sum += SHI_LOAD(weights + (i * vectors + d) * SHI_W) * s[d * 4 * n + l];
+            out[i] = SHI_SUM(sum);
+        }
+}
 /* ================================================================================================================
  * Public functions: once per precision. First, once, the engine of the single-item calls: always double.
  * ============================================================================================================= */
@@ -4244,17 +4320,28 @@ SHI_INLINE void shi_cross3(const double a[3], const double b[3], double c[3])
 
 /* ---- the polygon as the engine sees it: everything times a power of two that makes its extent about 1 ---- */
 
-typedef struct {
-    const void *vertices;
-    size_t count;
-    int floats;
-    double point[3], scale;
-} shi_scene;
-
 SHI_INLINE double shi_scene_read(const shi_scene *p, size_t i)
 {
     return p->floats ? (double)((const float *)p->vertices)[i] : ((const double *)p->vertices)[i];
 }
+SHI_INLINE void shi_scene_open(shi_scene *scene, const double point[3], size_t count, const void *vertices, int floats)
+{
+    double extent = 0;
+    size_t i;
+    int k;
+    scene->vertices = vertices;
+    scene->count = count;
+    scene->floats = floats;
+    scene->scale = 1;
+    for (k = 0; k < 3; k++) scene->point[k] = point[k];
+    for (i = 0; i < 3 * count; i++) {
+        const double d = fabs(0.25 * shi_scene_read(scene, i) - 0.25 * point[i % 3]);
+        if (d > extent) extent = d;
+    }
+    frexp(extent, &k);
+    scene->scale = ldexp(1, -2 - (k > 1000 ? 1000 : k < -1000 ? -1000 : k));
+}
+
 /* vertex i minus the point, and vertex j minus vertex i, exactly */
 SHI_INLINE void shi_scene_vertex(const shi_scene *p, size_t i, shi_two v[3])
 {
@@ -4479,7 +4566,7 @@ SHI_NOINLINE int shi_polygon_engine(int bands, int sides, int tight, const doubl
     const int size = bands * bands, planes = grad ? SH_GRADIENT : SH_VALUES;
     double totals[SHI_TOTALS(SHI_POLYGON_BANDS)], out[4 * SHI_POLYGON_BANDS * SHI_POLYGON_BANDS];
     double s[(SHI_POLYGON_BANDS + 1) * (SHI_POLYGON_BANDS + 2)], t[(SHI_POLYGON_BANDS + 1) * (SHI_POLYGON_BANDS + 2)];
-    double extent = 0, spread = 0, signed_sum = 0, volume = 0, area[3] = { 0, 0, 0 }, sign, omega = 0, plane_turn = 0;
+    double spread = 0, signed_sum = 0, volume = 0, area[3] = { 0, 0, 0 }, sign, omega = 0, plane_turn = 0;
     shi_scene scene;
     shi_sink sink;
     shi_two first[3];
@@ -4487,19 +4574,7 @@ SHI_NOINLINE int shi_polygon_engine(int bands, int sides, int tight, const doubl
     size_t i;
     int k, l, status = SH_OK, flat = 1, empty = 1, on_edge = 0, edges;
 
-    scene.vertices = vertices;
-    scene.count = count;
-    scene.floats = floats;
-    scene.scale = 1;
-    for (k = 0; k < 3; k++) scene.point[k] = point[k];
-    for (i = 0; i < 3 * count; i++) {
-        const double d = fabs(0.25 * shi_scene_read(&scene, i) - 0.25 * point[i % 3]);
-        if (d > extent) extent = d;
-    }
-    frexp(extent, &k);
-    k = k > 1000 ? 1000 : k < -1000 ? -1000 : k;
-    scene.scale = ldexp(1, -2 - k);
-
+    shi_scene_open(&scene, point, count, vertices, floats);
     memset(coeffs, 0, (size_t)size * sizeof coeffs[0]);
     if (grad) memset(grad, 0, 3 * (size_t)size * sizeof grad[0]);
     if (fan_size) *fan_size = 0;
@@ -4592,6 +4667,7 @@ SHI_NOINLINE int shi_polygon_engine(int bands, int sides, int tight, const doubl
                 }
             }
             have = 1;
+            if (!ns && !nt) continue;
             shi_sink_clear(&sink);
             shi_arc_nodes(&sink, bands, &e);
             shi_sink_add(&sink, s, t);
@@ -4753,6 +4829,157 @@ SHI_NOINLINE int shi_triangle_sphere(int bands, int sides, const double x[3], co
 
 #endif /* SHI_BITS == 64 */
 
+#if SHI_BITS == 64
+
+/* Bound on what an N-point rule leaves on a triangle of area 1 with all its points within R = e rho_min of the centroid, in
+ * units of M_l/rho_min^2 times |cos|: the 6th-order remainder of a degree-5 rule. Along any line the band's vector
+ * Y_l(p/|p|)/|p|^3 extends to complex offsets s with norm at most M_l (rho+s)^l/(rho-s)^(l+3), so Cauchy bounds its
+ * 6th derivative; the rule and the integral err by one such remainder each. */
+SHI_INLINE double shi_sixth_bound(int l, double e)
+{
+    double best = 1e300;
+    int i;
+    for (i = 1; i < 16; i++) {
+        const double s = 0.05 * i, up = pow((1 + s) / (1 - s), l) / ((1 - s) * (1 - s) * (1 - s)), r = e / s;
+        const double bound = 2 * up * r * r * r * r * r * r;
+        if (bound < best) best = bound;
+    }
+    return best;
+}
+
+/* one node p of a surface of directed area n2 (weight w): coefficients and gradient */
+SHI_INLINE void shi_within_node(int bands, const double p[3], const double n2[3], double w, double det, double *out, double *grad)
+{
+    const int size = bands * bands;
+    double y[SH_MAX_POLYGON_BANDS * SH_MAX_POLYGON_BANDS], g[3 * SH_MAX_POLYGON_BANDS * SH_MAX_POLYGON_BANDS];
+    const double r2 = shi_dot3(p, p), k = w * det / (r2 * sqrt(r2));
+    int i, a;
+    if (grad) sh_eval_grad_f64(bands, p, y, g);
+    else sh_eval_f64(bands, p, y);
+    for (i = 0; i < size; i++) out[i] += k * y[i];
+    for (a = 0; grad && a < 3; a++) {
+        const double f = w * n2[a] / (r2 * sqrt(r2)) - 3 * k * p[a] / r2;
+        for (i = 0; i < size; i++) grad[a * size + i] -= k * g[a * size + i] + f * y[i];
+    }
+}
+
+SHI_NOINLINE int shi_within_engine(int bands, int sides, int tight, double tolerance, const double point[3], size_t count,
+                                   const void *vertices, int floats, double *out, double *grad, double *error, int *used)
+{
+    static const double few[8][3] = {
+        { 0.33333333333333333, 0.33333333333333333, 0.5 }, { 0.33333333333333333, 0.33333333333333333, 0.1125 },
+        { 0.10128650732345634, 0.10128650732345634, 0.06296959027241357 }, { 0.79742698535308732, 0.10128650732345634, 0.06296959027241357 },
+        { 0.10128650732345634, 0.79742698535308732, 0.06296959027241357 }, { 0.47014206410511509, 0.47014206410511509, 0.066197076394253095 },
+        { 0.05971587178976982, 0.47014206410511509, 0.066197076394253095 }, { 0.47014206410511509, 0.05971587178976982, 0.066197076394253095 } };
+    enum { SPHERE, POINT, POINT4, SEVEN, SEVEN4, EXACT };
+    const int size = bands * bands;
+    double total[5] = { 0, 0, 0, 0, 0 }, volume = 0, sign;
+    shi_scene scene;
+    shi_two first[3];
+    size_t i;
+    int k, l, way;
+    memset(out, 0, (size_t)size * sizeof out[0]);
+    if (grad) memset(grad, 0, 3 * (size_t)size * sizeof grad[0]);
+    *error = 0;
+    shi_scene_open(&scene, point, count, vertices, floats);
+    shi_scene_vertex(&scene, 0, first);
+    for (i = 1; i + 1 < count; i++) {                       /* bounds of every way, summed over the fan */
+        shi_two d1[3], d2[3], n[3];
+        double c[3], e[3][3], n2[3], det, area, d, q = 0, reach = 0, near, unit, sums[5] = { 0, 0, 0, 0, 0 };
+        shi_scene_edge(&scene, 0, i, d1);
+        shi_scene_edge(&scene, 0, i + 1, d2);
+        shi_two_cross(d1, d2, n);
+        det = shi_two_dot(first, n).h;
+        volume += det;
+        for (k = 0; k < 3; k++) {
+            c[k] = (d1[k].h + d2[k].h) / 3;
+            e[0][k] = -c[k];
+            e[1][k] = d1[k].h - c[k];
+            e[2][k] = d2[k].h - c[k];
+            c[k] += first[k].h;
+            n2[k] = n[k].h;
+        }
+        area = 0.5 * sqrt(shi_dot3(n2, n2));
+        d = sqrt(shi_dot3(c, c));
+        if (!(area > 0) || !(d > 0)) continue;
+        for (k = 0; k < 3; k++) {
+            const double h = shi_dot3(e[k], e[k]);
+            q += h / 12;
+            if (h > reach) reach = h;
+        }
+        reach = sqrt(reach);
+        near = d - reach;
+        if (!(near > 0.2 * d)) {
+            for (k = 0; k < 5; k++) total[k] = 1e300;
+            continue;
+        }
+        unit = 0.5 * fabs(det);                             /* area |cos| d */
+        for (l = 0; l < bands; l++) {
+            const double m2 = (2 * l + 1) / 12.566370614359172954, s = area / (3.14159265358979323846 * d * d);
+            const double near5 = near * near * near * near * near, second = 0.5 * q * shi_second_bound(l) * unit / near5;
+            const double sixth = unit / (near * near * near);
+            const double alpha = s < 1 ? sqrt(1 - s) : 0;
+            double cap = 0;                                 /* sup of the cap's deviation: 1 - P_l' slope, at most l(l+1) s/8 + s */
+            cap = unit / (d * d * d) * ((double)(l * (l + 1)) / 8 + 1) * (1 - alpha) * 2;
+            sums[SPHERE] += m2 * (second + cap) * (second + cap);
+            sums[POINT] += m2 * second * second;
+            sums[POINT4] += m2 * (second / 4) * (second / 4);
+            {
+                const double b = sixth * shi_sixth_bound(l, reach / near), b4 = sixth * shi_sixth_bound(l, 0.5 * reach / near);
+                sums[SEVEN] += m2 * b * b;
+                sums[SEVEN4] += m2 * b4 * b4;
+            }
+        }
+        for (k = 0; k < 5; k++) total[k] += sqrt(sums[k]);
+    }
+    for (way = SPHERE; way < EXACT && !(total[way] <= tolerance); way++) {}
+    if (volume == 0) way = EXACT;
+    if (used) *used = way == SPHERE ? SH_USED_SPHERE : way == EXACT ? SH_USED_EXACT : way == POINT4 || way == SEVEN4 ? SH_USED_SUBDIVISION : SH_USED_CUBATURE;
+    if (way == EXACT) return shi_polygon_engine(bands, sides, tight, point, count, vertices, floats, out, grad, NULL);
+    *error = total[way];
+    sign = volume < 0 ? -1 : 1;
+    if (sides == SH_FRONT && sign > 0) return SH_OK;
+    if (sides == SH_SIGNED) sign = -1;
+    for (i = 1; i + 1 < count; i++) {
+        shi_two d1[3], d2[3], n[3];
+        double n2[3], det, p[3];
+        int piece, pieces = way == POINT4 || way == SEVEN4 ? 4 : 1, j, from = way == SEVEN || way == SEVEN4 ? 1 : 0, to = from ? 8 : 1;
+        shi_scene_edge(&scene, 0, i, d1);
+        shi_scene_edge(&scene, 0, i + 1, d2);
+        shi_two_cross(d1, d2, n);
+        det = shi_two_dot(first, n).h;
+        for (k = 0; k < 3; k++) n2[k] = n[k].h;
+        if (det == 0) continue;
+        if (way == SPHERE) {
+            double v[9], x[3] = { 0, 0, 0 }, c[SH_MAX_POLYGON_BANDS * SH_MAX_POLYGON_BANDS], g[3 * SH_MAX_POLYGON_BANDS * SH_MAX_POLYGON_BANDS];
+            for (k = 0; k < 3; k++) {
+                v[k] = first[k].h;
+                v[3 + k] = first[k].h + d1[k].h;
+                v[6 + k] = first[k].h + d2[k].h;
+            }
+            shi_triangle_sphere(bands, SH_SIGNED, x, v, c, grad ? g : NULL, NULL);
+            for (k = 0; k < size; k++) out[k] -= c[k];
+            for (k = 0; grad && k < 3 * size; k++) grad[k] -= g[k];
+            continue;
+        }
+        for (piece = 0; piece < pieces; piece++) {
+            /* corner pieces at half size, then the middle one, turned around */
+            const double half = pieces == 1 ? 1 : piece == 3 ? -0.5 : 0.5;
+            const double u0 = piece == 1 || piece == 3 ? 0.5 : 0, v0 = piece == 2 || piece == 3 ? 0.5 : 0;
+            for (j = from; j < to; j++) {
+                const double a = u0 + half * few[j][0], b = v0 + half * few[j][1];
+                for (k = 0; k < 3; k++) p[k] = first[k].h + (a * d1[k].h + b * d2[k].h);
+                shi_within_node(bands, p, n2, few[j][2] / pieces, det, out, grad);
+            }
+        }
+    }
+    for (k = 0; k < size; k++) out[k] *= sign;
+    for (k = 0; grad && k < 3 * size; k++) grad[k] *= sign * scene.scale;
+    return SH_OK;
+}
+
+#endif /* SHI_BITS == 64 */
+
 /* ---- checks and conversion ---- */
 
 SHI_INLINE int SHI_FN(shi_polygon_check)(int bands, int sides, const SHI_T *point, size_t count, const SHI_T *vertices)
@@ -4865,6 +5092,34 @@ SH_API int SHI_FN(sh_triangle_as_sphere)(int bands, int sides, const SHI_T point
     }
     status = shi_triangle_sphere(bands, sides, x, v, out, grad ? g : NULL, error ? &e : NULL);
     SHI_FN(shi_polygon_store)(size, out, coeffs);
+    if (grad) SHI_FN(shi_polygon_store)(3 * size, g, grad);
+    if (error) SHI_FN(shi_polygon_store)(1, &e, error);
+    return status;
+}
+
+/* The cheapest representation of a polygon that stays within a tolerance: the sphere of each triangle of the fan, one node per
+ * triangle, four smaller triangles with a node each, a 7-point rule, four smaller triangles with that, or sh_polygon.
+ *
+ *   tolerance  >= 0, on the Euclidean norm of the error of all coefficients of the unit-radiance light: multiply by the
+ *              radiance to have it in its unit; 0 always takes sh_polygon
+ *   error      NULL, or the bound of the way taken; 0 when that is exact
+ *   used       NULL, or SH_USED_SPHERE, SH_USED_CUBATURE, SH_USED_SUBDIVISION, SH_USED_EXACT
+ *
+ * Guarantees |coeffs - exact| <= error <= tolerance (or the bound of sh_polygon), plus 64 eps of the light's own norm; not the
+ * gradient, which is that of what was taken. The bounds are proven, not estimated, and therefore on the safe side:
+ * Taylor and Cauchy remainders with the suprema of each band (docs/polygons.md). */
+SH_API int SHI_FN(sh_polygon_within)(int bands, int sides, SHI_T tolerance, const SHI_T point[3], size_t count, const SHI_T *vertices,
+                                     SHI_T *coeffs, SHI_T *grad, SHI_T *error, int *used)
+{
+    const size_t size = (size_t)(bands * bands);
+    double p[3], c[SH_MAX_POLYGON_BANDS * SH_MAX_POLYGON_BANDS], g[3 * SH_MAX_POLYGON_BANDS * SH_MAX_POLYGON_BANDS], e;
+    int k, status = SHI_FN(shi_polygon_check)(bands, sides, point, count, vertices);
+    if (status) return status;
+    if (!coeffs) return SH_ERROR_NULL;
+    if (!SHI_FN(shi_finite)(&tolerance, 1) || tolerance < 0) return SH_ERROR_OPTION;
+    for (k = 0; k < 3; k++) p[k] = (double)point[k];
+    status = shi_within_engine(bands, sides, SHI_BITS == 64, (double)tolerance, p, count, vertices, SHI_BITS == 32, c, grad ? g : NULL, &e, used);
+    SHI_FN(shi_polygon_store)(size, c, coeffs);
     if (grad) SHI_FN(shi_polygon_store)(3 * size, g, grad);
     if (error) SHI_FN(shi_polygon_store)(1, &e, error);
     return status;
@@ -5055,6 +5310,338 @@ SH_API int SHI_FN(sh_polygons_grid)(int bands, int planes, int channels, int sid
     if (!status) status = SHI_FN(shi_polygons_check)(bands, planes, channels, sides, nodes, NULL, polygons, counts, vertices, radiance, out);
     if (status || !nodes) return status;
     return SHI_FN(shi_polygons_any)(bands, planes, channels, sides, nodes, NULL, grid, first, polygons, counts, vertices, radiance, out);
+}
+
+/* ---- WR18's route ---- */
+
+#if SHI_BITS == 64
+
+/* edge i as the recurrence wants it; 0 if it is seen as a point */
+SHI_INLINE int shi_zonal_edge(const shi_scene *scene, size_t i, double out[14])
+{
+    shi_arc e;
+    int k;
+    if (shi_scene_arc(scene, i, &e) != 1) return 0;
+    for (k = 0; k < 3; k++) {
+        out[k] = e.w[k];
+        out[3 + k] = e.lambda[k];
+        out[6 + k] = e.mu[k];
+    }
+    out[9] = e.gamma;
+    out[10] = cos(e.gamma);
+    out[11] = sin(e.gamma);
+    out[12] = e.k0 * scene->scale;
+    out[13] = e.k1 * scene->scale;
+    return 1;
+}
+
+SHI_INLINE void shi_zonal_steps(int n, double *steps)
+{
+    int l;
+    for (l = 1; l < n; l++) {
+        double *const k = steps + 5 * l;
+        k[0] = 1 / ((double)l * l);
+        k[1] = 1 / ((double)l * (l + 1));
+        k[2] = 1 / (double)(l + 1);
+        k[3] = (2 * l - 1) / (double)l;
+        k[4] = (l - 1) / (double)l;
+    }
+}
+
+SHI_NOINLINE int shi_polygon_zonal_engine(int bands, int tight, const double axis[3], const double point[3], size_t count,
+                                          const void *vertices, int floats, double *s, double *grad)
+{
+    double c[SH_MAX_POLYGON_BANDS * SH_MAX_POLYGON_BANDS], g[3 * SH_MAX_POLYGON_BANDS * SH_MAX_POLYGON_BANDS], spread;
+    const int size = bands * bands;
+    int l, k, i, status = shi_polygon_engine(1, SH_BOTH, tight, point, count, vertices, floats, c, NULL, &spread);
+    if (status == SH_OK && spread >= (tight ? 0.25 : 1e-6)) {
+        double edge[14], steps[5 * SH_MAX_POLYGON_BANDS], sums[SH_MAX_POLYGON_BANDS], slopes[3 * SH_MAX_POLYGON_BANDS], sign;
+        shi_scene scene;
+        size_t e;
+        shi_scene_open(&scene, point, count, vertices, floats);
+        shi_zonal_steps(bands, steps);
+        memset(sums, 0, sizeof sums);
+        memset(slopes, 0, sizeof slopes);
+        for (e = 0; e < count; e++)
+            if (shi_zonal_edge(&scene, e, edge)) SHI_ONE(shi_polygon_zonal_edge)(bands, axis, edge, steps, sums, grad ? slopes : NULL);
+        /* the engine's own sign of the side */
+        shi_polygon_engine(1, SH_SIGNED, tight, point, count, vertices, floats, g, NULL, NULL);
+        sign = g[0] == c[0] ? -1 : 1;
+        s[0] = c[0] * 3.5449077018110320546;
+        for (l = 1; l < bands; l++) s[l] = sign * sums[l];
+        for (l = 0; grad && l < 3 * bands; l++) grad[l] = sign * slopes[l];
+        return SH_OK;
+    }
+    /* small, in the plane: from the coefficients, by the addition theorem */
+    status = shi_polygon_engine(bands, SH_BOTH, tight, point, count, vertices, floats, c, grad ? g : NULL, NULL);
+    {
+        double y[SH_MAX_POLYGON_BANDS * SH_MAX_POLYGON_BANDS];
+        sh_eval_f64(bands, axis, y);
+        for (l = 0; l < bands; l++) {
+            const double f = 12.566370614359172954 / (double)(2 * l + 1);
+            s[l] = 0;
+            for (i = l * l; i < (l + 1) * (l + 1); i++) s[l] += f * y[i] * c[i];
+            for (k = 0; grad && k < 3; k++) {
+                grad[k * bands + l] = 0;
+                for (i = l * l; i < (l + 1) * (l + 1); i++) grad[k * bands + l] += f * y[i] * g[k * size + i];
+            }
+        }
+    }
+    return status;
+}
+
+#endif /* SHI_BITS == 64 */
+
+/* Integrals of P_l(axis . u) over the directions u of a polygon, s[bands], and their gradient by the point, grad[3][bands]
+ * (NULL: none); from both sides. The zonal harmonics about the axis are sqrt((2l+1)/(4 pi)) s[l].
+ *   axis  any length but zero
+ * Error:  64 eps sum |Omega_fan| (|P_l| <= 1), gradient 64 eps sum_fan (|grad Omega_fan| + sqrt(l(l+1)/2) Omega_fan/d).
+ * Source: WR18 Eq. 20-32 in the robust form, and the recurrence of its gradient; below a solid angle where the recurrence
+ *         has lost its digits, from sh_polygon's coefficients. */
+SH_API int SHI_FN(sh_polygon_zonal)(int bands, const SHI_T axis[3], const SHI_T point[3], size_t count, const SHI_T *vertices,
+                                    SHI_T *s, SHI_T *grad)
+{
+    double a[3], p[3], out[SH_MAX_POLYGON_BANDS], g[3 * SH_MAX_POLYGON_BANDS], size = 0;
+    int k, status = axis && s ? SHI_FN(shi_polygon_check)(bands, SH_BOTH, point, count, vertices) : SH_ERROR_NULL;
+    if (status) return status;
+    if (!SHI_FN(shi_finite)(axis, 3)) return SH_ERROR_NOT_FINITE;
+    for (k = 0; k < 3; k++) {
+        p[k] = (double)point[k];
+        a[k] = (double)axis[k];
+        if (fabs(a[k]) > size) size = fabs(a[k]);
+    }
+    if (!(size > 0)) return SH_ERROR_DIRECTION;
+    for (k = 0; k < 3; k++) a[k] /= size;
+    size = sqrt(a[0] * a[0] + a[1] * a[1] + a[2] * a[2]);
+    for (k = 0; k < 3; k++) a[k] /= size;
+    status = shi_polygon_zonal_engine(bands, SHI_BITS == 64, a, p, count, vertices, SHI_BITS == 32, out, grad ? g : NULL);
+    SHI_FN(shi_polygon_store)((size_t)bands, out, s);
+    if (grad) SHI_FN(shi_polygon_store)(3 * (size_t)bands, g, grad);
+    return status;
+}
+
+/* The smallest set of lobes for `bands`: its number of bands, directions [2b-1][3], weights [b^2][2b-1] */
+SHI_INLINE int SHI_FN(shi_lobe_set)(int bands, const double **dirs, const double **weights)
+{
+    static const int sizes[6] = { 3, 5, 7, 9, 12, 16 };
+    const double *d[6], *w[6];
+    int i = 0;
+    d[0] = shi_lobes_3;
+    d[1] = shi_lobes_5;
+    d[2] = shi_lobes_7;
+    d[3] = shi_lobes_9;
+    d[4] = shi_lobes_12;
+    d[5] = shi_lobes_16;
+    w[0] = shi_weights_3;
+    w[1] = shi_weights_5;
+    w[2] = shi_weights_7;
+    w[3] = shi_weights_9;
+    w[4] = shi_weights_12;
+    w[5] = shi_weights_16;
+    while (sizes[i] < bands) i++;
+    *dirs = d[i];
+    *weights = w[i];
+    return sizes[i];
+}
+
+/* One channel, one point: S_l of all polygons at the lobes, then the weights once. sums: 4 n vectors per vector of lobes. */
+SHI_INLINE int SHI_FN(shi_zonal_point)(int n, int planes, int sides, const SHI_T x[3], size_t polygons, const int *counts, const SHI_T *vertices,
+                                       const SHI_T *radiance, int vectors, const SHI_MANY(shi_vector) *dirs, const SHI_T *weights,
+                                       const double *exact_steps, SHI_MANY(shi_vector) *sums, SHI_T *out)
+{
+    const int size = n * n, lanes = SHI_MANY(shi_polygon_lanes);
+    const SHI_T *v = vertices;
+    double extra[4 * SH_MAX_POLYGON_BANDS * SH_MAX_POLYGON_BANDS], point[3];
+    SHI_T steps[5 * SH_MAX_POLYGON_BANDS];
+    size_t g, i;
+    int k, l, d, status = SH_OK, any = 0;
+    for (l = 0; l < 4 * n * vectors; l++) sums[l] = SHI_MANY(shi_splat)(0);
+    for (l = 5; l < 5 * n; l++) steps[l] = (SHI_T)exact_steps[l];
+    for (k = 0; k < 3; k++) point[k] = (double)x[k];
+    for (g = 0; g < polygons; v += 3 * counts[g++]) {
+        const SHI_T r = radiance ? radiance[g] : SHI_C(1);
+        double omega, signed_omega, c[1];
+        SHI_T f;
+        shi_scene scene;
+        int one = shi_polygon_engine(1, SH_SIGNED, 0, point, (size_t)counts[g], v, SHI_BITS == 32, c, NULL, &omega);
+        if (one > 0 || omega == 0) {                        /* in the plane: rare */
+            double value[SH_MAX_POLYGON_BANDS * SH_MAX_POLYGON_BANDS], grad[3 * SH_MAX_POLYGON_BANDS * SH_MAX_POLYGON_BANDS];
+            if (!any) memset(extra, 0, (size_t)(4 * size) * sizeof extra[0]);
+            any = 1;
+            if (one > status) status = one;
+            shi_polygon_engine(n, sides, SHI_BITS == 64, point, (size_t)counts[g], v, SHI_BITS == 32, value,
+                               planes == SH_GRADIENT ? grad : NULL, NULL);
+            for (l = 0; l < size; l++) extra[l] += (double)r * value[l];
+            for (l = 0; planes == SH_GRADIENT && l < 3 * size; l++) extra[size + l] += (double)r * grad[l];
+            continue;
+        }
+        signed_omega = c[0] * 3.5449077018110320546;        /* positive in front, where the edges count negative */
+        if (sides == SH_FRONT && signed_omega < 0) continue;
+        f = sides == SH_SIGNED || signed_omega > 0 ? -r : r;
+        shi_scene_open(&scene, point, (size_t)counts[g], v, SHI_BITS == 32);
+        for (i = 0; i < (size_t)counts[g]; i++) {
+            double exact[14];
+            SHI_T edge[14];
+            if (!shi_zonal_edge(&scene, i, exact)) continue;
+            for (k = 0; k < 14; k++) edge[k] = (SHI_T)exact[k];
+            for (d = 0; d < vectors; d++) {
+                /* the factor rides on the axis-free part: mu and with it c D and mu G */
+                SHI_MANY(shi_vector) one_s[SH_MAX_POLYGON_BANDS], one_g[3 * SH_MAX_POLYGON_BANDS];
+                SHI_MANY(shi_vector) *const to = sums + d * 4 * n;
+                for (l = 0; l < n; l++) one_s[l] = SHI_MANY(shi_splat)(0);
+                for (l = 0; planes == SH_GRADIENT && l < 3 * n; l++) one_g[l] = SHI_MANY(shi_splat)(0);
+                SHI_MANY(shi_polygon_zonal_edge)(n, dirs + 3 * d, edge, steps, one_s, planes == SH_GRADIENT ? one_g : NULL);
+                for (l = 1; l < n; l++) to[l] += f * one_s[l];
+                for (l = 0; planes == SH_GRADIENT && l < 3 * n; l++) to[n + l] += f * one_g[l];
+            }
+        }
+        for (d = 0; d < vectors; d++) sums[d * 4 * n] += f * (SHI_T)-signed_omega;
+    }
+    (void)lanes;
+    for (k = 0; k < planes; k++) {
+        SHI_MANY(shi_polygon_lobe_sum)(n, vectors, weights, sums + k * n, out + k * size);
+        for (l = 0; any && l < size; l++) out[k * size + l] = (SHI_T)((double)out[k * size + l] + extra[k * size + l]);
+    }
+    return status;
+}
+
+/* sh_polygons_n by WR18's own route: zonal integrals of all polygons about 2b-1 fixed lobes, then the sparse rotation (weights)
+ * once per point and plane. Same parameters, layout, sides and degenerate cases.
+ * Slower and less accurate than sh_polygons_n; kept as the published method in its robust form, and for who wants its
+ * zonal sums. Error per polygon:  C eps M_l, whatever the solid angle, C of docs/polygons.md: far lights lose their digits.
+ * Source: WR18 Algorithm 1, Eq. 20-33; lobes and weights by tools/gen_lobes.py. */
+SH_API int SHI_FN(sh_polygons_zonal_n)(int bands, int planes, int channels, int sides, size_t points, const SHI_T *point,
+                                       size_t polygons, const int *counts, const SHI_T *vertices, const SHI_T *radiance, SHI_T *out)
+{
+    enum { W = SHI_MANY(shi_polygon_lanes), MOST = (31 + W - 1) / W };
+    const double *set_dirs, *set_weights;
+    SHI_MANY(shi_vector) dirs[3 * MOST], sums[4 * SH_MAX_POLYGON_BANDS * MOST];
+    SHI_T weights[SH_MAX_POLYGON_BANDS * SH_MAX_POLYGON_BANDS * MOST * W];
+    double steps[5 * SH_MAX_POLYGON_BANDS];
+    int lobes, vectors, i, d, k, l, c, status = points && !point ? SH_ERROR_NULL
+        : SHI_FN(shi_polygons_check)(bands, planes, channels, sides, points, point, polygons, counts, vertices, radiance, out);
+    size_t p;
+    if (status || !points) return status;
+    lobes = 2 * SHI_FN(shi_lobe_set)(bands, &set_dirs, &set_weights) - 1;
+    vectors = (lobes + W - 1) / W;
+    for (d = 0; d < vectors; d++)
+        for (k = 0; k < 3; k++) {
+            SHI_T lane[W];
+            for (i = 0; i < W; i++) lane[i] = (SHI_T)set_dirs[3 * (d * W + i < lobes ? d * W + i : 0) + k];
+            dirs[3 * d + k] = SHI_MANY(shi_load)(lane);
+        }
+    for (l = 0; l < bands; l++) {
+        const double f = sqrt((2 * l + 1) / 12.566370614359172954);
+        for (i = l * l; i < (l + 1) * (l + 1); i++)
+            for (d = 0; d < vectors * W; d++) weights[i * vectors * W + d] = d < lobes ? (SHI_T)(f * set_weights[i * lobes + d]) : SHI_C(0);
+    }
+    shi_zonal_steps(bands, steps);
+    for (p = 0; p < points; p++) {
+        if (!SHI_FN(shi_finite)(point + 3 * p, 3)) {
+            status = SH_ERROR_NOT_FINITE;
+            continue;
+        }
+        for (c = 0; c < channels; c++) {
+            const int one = SHI_FN(shi_zonal_point)(bands, planes, sides, point + 3 * p, polygons, counts, vertices,
+                radiance ? radiance + (size_t)c * polygons : NULL, vectors, dirs, weights, steps, sums,
+                out + (p * (size_t)channels + (size_t)c) * (size_t)(planes * bands * bands));
+            if (one > status && status >= 0) status = one;
+        }
+    }
+    return status;
+}
+
+/* ---- textured quadrilaterals ---- */
+
+SHI_INLINE void SHI_FN(shi_quad_corner)(const SHI_T *quad, int width, int height, int x, int y, SHI_T out[3])
+{
+    const SHI_T u = (SHI_T)x / (SHI_T)width, v = (SHI_T)y / (SHI_T)height, u1 = (SHI_T)(width - x) / (SHI_T)width, v1 = (SHI_T)(height - y) / (SHI_T)height;
+    int k;
+    for (k = 0; k < 3; k++) out[k] = v1 * (u1 * quad[k] + u * quad[3 + k]) + v * (u1 * quad[9 + k] + u * quad[6 + k]);
+}
+
+/* A quadrilateral with a texture, as polygons of one radiance each: texels that differ by no more than a tolerance merge, by a
+ * quadtree over the texture (WR18 Fig. 10; M22's future work). The result is what sh_polygons_n takes.
+ *
+ *   quad       [4][3], planar, convex; texel (0,0) lies at corner 0, x runs to corner 1, y to corner 3
+ *   texels     [height][width][channels]
+ *   tolerance  >= 0: a piece is kept whole if no texel of it is further than this from the mean, in any channel
+ *   most       pieces that fit in the arrays; width*height always suffices
+ *   pieces     receives their number; with counts, vertices and radiance NULL, only this is done
+ *   counts     [pieces], all 4;  vertices [pieces][4][3];  radiance [channels][pieces]: the means; stride *pieces
+ *
+ * Call it once with NULLs for the number, again with arrays. Pieces without light in any channel are left out.
+ * Error: |sum of pieces - sum of texels| <= tolerance times the norm of the whole quad's coefficients, per channel. */
+SH_API int SHI_FN(sh_textured_quad)(const SHI_T quad[12], int width, int height, int channels, const SHI_T *texels, SHI_T tolerance,
+                                    size_t most, size_t *pieces, int *counts, SHI_T *vertices, SHI_T *radiance)
+{
+    /* a stack of rectangles x0 y0 x1 y1: depth first, three siblings wait per level */
+    int stack[4 * 3 * 34], top = 0, pass, c, x, y, k;
+    size_t total = 0;
+    if (!quad || !texels || !pieces) return SH_ERROR_NULL;
+    if (width < 1 || height < 1 || channels < 1) return SH_ERROR_COUNT;
+    if (!SHI_FN(shi_finite)(quad, 12)) return SH_ERROR_NOT_FINITE;
+    if (!(tolerance >= 0)) return SH_ERROR_OPTION;
+    for (pass = 0; pass < (counts && vertices && radiance ? 2 : 1); pass++) {
+        size_t n = 0;
+        stack[0] = stack[1] = 0;
+        stack[2] = width;
+        stack[3] = height;
+        top = 4;
+        while (top) {
+            const int x0 = stack[top - 4], y0 = stack[top - 3], x1 = stack[top - 2], y1 = stack[top - 1];
+            int flat = 1, dark = 1;
+            top -= 4;
+            for (c = 0; c < channels && flat; c++) {
+                const SHI_T *const t = texels + c;
+                double sum = 0, mean;
+                for (y = y0; y < y1; y++)
+                    for (x = x0; x < x1; x++) sum += (double)t[((size_t)y * (size_t)width + (size_t)x) * (size_t)channels];
+                mean = sum / ((double)(x1 - x0) * (double)(y1 - y0));
+                if (mean != 0) dark = 0;
+                for (y = y0; y < y1 && flat; y++)
+                    for (x = x0; x < x1; x++)
+                        if (fabs((double)t[((size_t)y * (size_t)width + (size_t)x) * (size_t)channels] - mean) > (double)tolerance) {
+                            flat = 0;
+                            break;
+                        }
+            }
+            if (!flat && (x1 - x0 > 1 || y1 - y0 > 1)) {
+                const int xm = x1 - x0 > 1 ? (x0 + x1) / 2 : x1, ym = y1 - y0 > 1 ? (y0 + y1) / 2 : y1;
+                for (k = 3; k >= 0; k--) {
+                    const int ax = k & 1 ? xm : x0, bx = k & 1 ? x1 : xm, ay = k & 2 ? ym : y0, by = k & 2 ? y1 : ym;
+                    if (ax == bx || ay == by) continue;
+                    stack[top++] = ax;
+                    stack[top++] = ay;
+                    stack[top++] = bx;
+                    stack[top++] = by;
+                }
+                continue;
+            }
+            if (dark) continue;
+            if (pass) {
+                SHI_T *const v = vertices + 12 * n;
+                for (c = 0; c < channels; c++) {
+                    double sum = 0;
+                    for (y = y0; y < y1; y++)
+                        for (x = x0; x < x1; x++) sum += (double)texels[((size_t)y * (size_t)width + (size_t)x) * (size_t)channels + (size_t)c];
+                    radiance[(size_t)c * total + n] = (SHI_T)(sum / ((double)(x1 - x0) * (double)(y1 - y0)));
+                }
+                counts[n] = 4;
+                SHI_FN(shi_quad_corner)(quad, width, height, x0, y0, v);
+                SHI_FN(shi_quad_corner)(quad, width, height, x1, y0, v + 3);
+                SHI_FN(shi_quad_corner)(quad, width, height, x1, y1, v + 6);
+                SHI_FN(shi_quad_corner)(quad, width, height, x0, y1, v + 9);
+            }
+            n++;
+        }
+        if (!pass) {
+            total = n;
+            *pieces = n;
+            if (n > most && counts && vertices && radiance) return SH_ERROR_COUNT;
+        }
+    }
+    return SH_OK;
 }
 
 #endif /* rooms */
