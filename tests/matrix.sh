@@ -54,7 +54,7 @@ leaks() {
             clang -std=c99 -w -I. -fsyntax-only -Xclang -ast-dump -fno-color-diagnostics "$work/$unit.c" |
                 awk '/^[|`]-(Function|Typedef|Record|Enum|Var)Decl / || /-EnumConstantDecl / {
                     sub(/ \047.*/, ""); sub(/ definition$/, "");
-                    if ($NF !~ /^(struct|union|<.*|.*>|col:.*|line:.*|invalid)$/) print $NF }' | sort -u >"$work/$unit.names"
+                    if ($NF !~ /^(struct|union|<.*|.*>|col:.*|line:.*|invalid)$/) print $NF }' | grep -v '^__builtin' | sort -u >"$work/$unit.names"
         done
         comm -13 "$work/std.names" "$work/all.names" >"$work/names"
         grep -qx sh_eval_f32 "$work/names" || fail "the list of names did not see sh_eval_f32"

@@ -47,3 +47,14 @@ test-oracle: $(BUILD)/sh-oracle
 	@$(PYTHON) tests/check_oracle.py $(BUILD)/sh-oracle --queries 1
 oracle-check: $(BUILD)/sh-oracle
 	@$(PYTHON) tests/check_oracle.py $(BUILD)/sh-oracle --queries 24
+
+# The tests under the sanitizers; memory needs clang and everything instrumented, so it runs without cmocka.
+TESTS_SANITIZED := $(filter-out tests/test_reference.c,$(TESTS_SOURCES))
+.PHONY: sanitize sanitize-address sanitize-memory
+sanitize: sanitize-address sanitize-memory
+sanitize-address sanitize-memory: sanitize-%: | $(TESTS_DIR)
+	@set -e; for t in $(TESTS_SANITIZED); do echo "== $* $$t"; \
+	case $* in address) f="-fsanitize=address,undefined -fno-sanitize-recover=all" ;; \
+	memory) f="-fsanitize=memory -fsanitize-memory-track-origins" ;; esac; \
+	clang -std=gnu99 -O1 -g $$f -ffp-contract=off -I. -Itests/plain -Itests -o $(TESTS_DIR)/$* $$t tests/ref.c tests/report.c -lm; \
+	SH_TEST_EFFORT=0.05 $(TESTS_DIR)/$*; done

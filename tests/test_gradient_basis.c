@@ -75,7 +75,7 @@ static void F(values)(void **state)
     int bands, turn, i;
     (void)state;
     for (bands = 1; bands <= SH_MAX_BANDS; bands++)
-        for (turn = 0; turn < effort(60); turn++) {
+        for (turn = 0; turn < effort(bands <= 12 ? 60 : 15); turn++) {
             T v[3];
             long double p[3];
             F(random_unit)(v, p);
@@ -94,7 +94,7 @@ static void F(gradient)(void **state)
     int bands, turn, i, k;
     (void)state;
     for (bands = 1; bands <= SH_MAX_BANDS; bands++)
-        for (turn = 0; turn < effort(60); turn++) {
+        for (turn = 0; turn < effort(bands <= 12 ? 60 : 15); turn++) {
             const int n2 = bands * bands;
             T v[3];
             ref_jet p[3];
@@ -122,7 +122,7 @@ static void F(hessian)(void **state)
     int bands, turn, i, k;
     (void)state;
     for (bands = 1; bands <= SH_MAX_BANDS; bands++)
-        for (turn = 0; turn < effort(60); turn++) {
+        for (turn = 0; turn < effort(bands <= 12 ? 60 : 15); turn++) {
             const int n2 = bands * bands;
             T v[3];
             ref_jet p[3];
@@ -157,7 +157,7 @@ static void F(angles)(void **state)
     int bands, turn, i;
     (void)state;
     for (bands = 1; bands <= SH_MAX_BANDS; bands++)
-        for (turn = 0; turn < effort(60); turn++) {
+        for (turn = 0; turn < effort(bands <= 12 ? 60 : 15); turn++) {
             static const double pole[6] = { 0, 3.14159265358979323846, 1e-20, 1e-7, 1.5707963267948966, 3.1415 };
             const T theta = (T)(turn < 6 ? pole[turn] : ref_between(-1, 4.5));
             const T phi = (T)(turn % 7 == 0 ? 0 : turn % 7 == 1 ? ref_between(-500, 500) : ref_between(-3.15, 6.3));
