@@ -66,11 +66,9 @@ enum sh_scheme {
 };
 enum sh_outside { SH_CLAMP, SH_EXTRAPOLATE };
 
-enum {
-    SHI_TERMS = 160,            /* longest list of a query: SH_HERMITE_MIXED, 64 values and 3 * 32 slopes */
-    SHI_AXIS_NODES = 1 << 24,  /* beyond it a float has no place left inside a cell */
-    SHI_REACH = 1024            /* cells an extrapolated query may leave the grid by; clamped there */
-};
+#define SHI_TERMS      160          /* longest list of a query: SH_HERMITE_MIXED, 64 values and 3 * 32 slopes */
+#define SHI_AXIS_NODES (1 << 24)    /* beyond it a float has no place left inside a cell */
+#define SHI_REACH      1024         /* cells an extrapolated query may leave the grid by; clamped there */
 
 /* One scheme on one grid: which numbers of the data a query takes, relative to its cell's first node. */
 typedef struct {
@@ -93,35 +91,44 @@ SHI_INLINE int shi_is_end(int taps, int tap) { return taps < 4 || tap == 1 || ta
 
 /* The offsets, in the order in which the kernel below writes the weights. A neighbour that does not exist has
  * weight 0 and the offset of the cell's end. */
+SHI_KERNEL size_t shi_stencil_list(int planes, int tx, int ty, int tz, ptrdiff_t n, ptrdiff_t at[3][4], ptrdiff_t *offset)
+{
+    size_t k = 0;
+    int x, y, z, p;
+
+    for (z = 0; z < tz; z++)
+        for (y = 0; y < ty; y++)
+            for (x = 0; x < tx; x++) {
+                const ptrdiff_t node = at[0][x] + at[1][y] + at[2][z];
+                offset[k++] = node;
+                if (planes == 1) continue;
+                if (shi_is_end(tx, x)) offset[k++] = node + n;
+                if (shi_is_end(ty, y)) offset[k++] = node + 2 * n;
+                if (shi_is_end(tz, z)) offset[k++] = node + 3 * n;
+                for (p = 4; p < planes; p++) offset[k++] = node + p * n;
+            }
+    while (k % 4) offset[k++] = 0;
+    return k;
+}
+
 SHI_INLINE void shi_stencil_offsets(shi_stencil *s)
 {
-    const int planes = shi_scheme_planes(s->scheme);
+    const int planes = shi_scheme_planes(s->scheme), *taps = s->taps;
     const ptrdiff_t n = (ptrdiff_t)s->n;
     ptrdiff_t at[3][4];
-    size_t k = 0;
-    int a, x, y, z, p;
+    int a;
 
     for (a = 0; a < 3; a++) {
         const ptrdiff_t step = (ptrdiff_t)s->step[a];
-        const int first = s->taps[a] == 4;
         at[a][0] = s->neighbours >> 2 * a & 1 ? -step : 0;
-        at[a][1] = first ? 0 : step;
+        at[a][1] = taps[a] == 4 ? 0 : step;
         at[a][2] = step;
         at[a][3] = s->neighbours >> (2 * a + 1) & 1 ? 2 * step : step;
     }
-    for (z = 0; z < s->taps[2]; z++)
-    for (y = 0; y < s->taps[1]; y++)
-    for (x = 0; x < s->taps[0]; x++) {
-        const ptrdiff_t node = at[0][x] + at[1][y] + at[2][z];
-        s->offset[k++] = node;
-        if (planes == 1) continue;
-        if (shi_is_end(s->taps[0], x)) s->offset[k++] = node + n;
-        if (shi_is_end(s->taps[1], y)) s->offset[k++] = node + 2 * n;
-        if (shi_is_end(s->taps[2], z)) s->offset[k++] = node + 3 * n;
-        for (p = 4; p < planes; p++) s->offset[k++] = node + p * n;
-    }
-    while (k % 4) s->offset[k++] = 0;
-    s->terms = k;
+    if (planes == 4 && taps[0] == 2 && taps[1] == 2 && taps[2] == 2)
+        s->terms = shi_stencil_list(4, 2, 2, 2, n, at, s->offset);
+    else
+        s->terms = shi_stencil_list(planes, taps[0], taps[1], taps[2], n, at, s->offset);
 }
 
 #define SHI_FILE SH_INTERP_FILENAME
@@ -188,42 +195,67 @@ SHI_KERNEL void SHI_KN(shi_axis)(int scheme, int taps, SHI_T h, const SHI_T *tp,
     }
 }
 
-/* Weights of SH_BLOCK queries, w[terms][SH_BLOCK]: of the value, or with along = 0, 1, 2 of its derivative.
- * t, rate, half: [3][SH_BLOCK] and [3][2][SH_BLOCK] */
-SHI_INLINE void SHI_KN(shi_weights)(const shi_stencil *stencil, int along, const SHI_T *h, const SHI_T *t,
-                                    const SHI_T *rate, const SHI_T *half, SHI_T *w)
-{
-    const int scheme = stencil->scheme, *taps = stencil->taps;
-    const SHI_T c = SHI_C(0.75);        /* of s s, to 1/3 d d */
-    int lane, a, x, y, z;
+/* Weights along the three axes. */
+typedef struct { SHI_V q[3][4], d[3][4], s[3][4], e[3][4]; } SHI_KN(shi_axes);
 
-    for (lane = 0; lane + SHI_W <= SH_BLOCK; lane += SHI_W) {
-        SHI_V q[3][4], d[3][4], s[3][4], e[3][4];
+/* A node's weights, for the planes its scheme reads; returns where the next node's go. */
+SHI_KERNEL SHI_T *SHI_KN(shi_node)(const SHI_KN(shi_axes) *v, int planes, const int *taps, int x, int y, int z, SHI_T *w)
+{
+    const SHI_V qx = v->q[0][x], sx = v->s[0][x], qy = v->q[1][y], sy = v->s[1][y], qz = v->q[2][z], sz = v->s[2][z];
+    const SHI_V qq = qy * qz, c = SHI_SPLAT(SHI_C(0.75));      /* of s s, for 1/3 of d d */
+
+    SHI_STORE(w, qx * (qq + (v->d[1][y] * qz + qy * v->d[2][z])) + v->d[0][x] * qq); w += SH_BLOCK;
+    if (planes == 1) return w;
+    if (shi_is_end(taps[0], x)) { SHI_STORE(w, sx * qq); w += SH_BLOCK; }
+    if (shi_is_end(taps[1], y)) { SHI_STORE(w, qx * (sy * qz)); w += SH_BLOCK; }
+    if (shi_is_end(taps[2], z)) { SHI_STORE(w, qx * (qy * sz)); w += SH_BLOCK; }
+    if (planes == 4) return w;
+    SHI_STORE(w,                v->e[0][x] * qq);
+    SHI_STORE(w + SH_BLOCK,     c * sx * (sy * qz));
+    SHI_STORE(w + 2 * SH_BLOCK, c * sx * (qy * sz));
+    SHI_STORE(w + 3 * SH_BLOCK, qx * (v->e[1][y] * qz));
+    SHI_STORE(w + 4 * SH_BLOCK, c * qx * (sy * sz));
+    SHI_STORE(w + 5 * SH_BLOCK, qx * (qy * v->e[2][z]));
+    return w + 6 * SH_BLOCK;
+}
+
+/* The three axes of one vector of queries: t, rate [3][SH_BLOCK], half [3][2][SH_BLOCK]; along = 0, 1, 2: that axis' derivative. */
+SHI_KERNEL void SHI_KN(shi_three)(int scheme, const int *taps, int along, const SHI_T *h, const SHI_T *t, const SHI_T *rate,
+                                  const SHI_T *half, SHI_KN(shi_axes) *v)
+{
+    int a;
+    SHI_UNROLL for (a = 0; a < 3; a++)
+        SHI_KN(shi_axis)(scheme, taps[a], h[a], t + a * SH_BLOCK, along == a ? rate + a * SH_BLOCK : NULL,
+                         half + 2 * a * SH_BLOCK, half + (2 * a + 1) * SH_BLOCK, v->q[a], v->d[a], v->s[a], v->e[a]);
+}
+
+/* Weights of SH_BLOCK queries, w[terms][SH_BLOCK]: of the value, or of its derivative by coordinate `along`. */
+SHI_INLINE void SHI_KN(shi_weights)(const shi_stencil *s, int along, const SHI_T *h, const SHI_T *t, const SHI_T *rate,
+                                    const SHI_T *half, SHI_T *w)
+{
+    const int planes = shi_scheme_planes(s->scheme), *taps = s->taps, two[3] = { 2, 2, 2 };
+    const int usual = planes == 4 && taps[0] == 2 && taps[1] == 2 && taps[2] == 2;
+    int lane, x, y, z;
+
+    for (lane = 0; usual && lane + SHI_W <= SH_BLOCK; lane += SHI_W) {      /* the loops below, unrolled */
+        SHI_KN(shi_axes) v;
         SHI_T *o = w + lane;
-        for (a = 0; a < 3; a++)
-            SHI_KN(shi_axis)(scheme, taps[a], h[a], t + a * SH_BLOCK + lane, along == a ? rate + a * SH_BLOCK + lane : NULL,
-                             half + 2 * a * SH_BLOCK + lane, half + (2 * a + 1) * SH_BLOCK + lane, q[a], d[a], s[a], e[a]);
-        for (z = 0; z < taps[2]; z++)
-        for (y = 0; y < taps[1]; y++) {
-            const SHI_V qq = q[1][y] * q[2][z], sq = s[1][y] * q[2][z], qs = q[1][y] * s[2][z];
-            const SHI_V yz = qq + (d[1][y] * q[2][z] + q[1][y] * d[2][z]);
-            for (x = 0; x < taps[0]; x++, o += 0) {
-                const SHI_V qx = q[0][x], sx = s[0][x];
-                SHI_STORE(o, qx * yz + d[0][x] * qq); o += SH_BLOCK;
-                if (scheme == SH_TRILINEAR) continue;
-                if (shi_is_end(taps[0], x)) { SHI_STORE(o, sx * qq); o += SH_BLOCK; }
-                if (shi_is_end(taps[1], y)) { SHI_STORE(o, qx * sq); o += SH_BLOCK; }
-                if (shi_is_end(taps[2], z)) { SHI_STORE(o, qx * qs); o += SH_BLOCK; }
-                if (scheme != SH_BLENDED_TAYLOR2) continue;
-                SHI_STORE(o, e[0][x] * qq); o += SH_BLOCK;
-                SHI_STORE(o, c * sx * sq);  o += SH_BLOCK;
-                SHI_STORE(o, c * sx * qs);  o += SH_BLOCK;
-                SHI_STORE(o, qx * (e[1][y] * q[2][z])); o += SH_BLOCK;
-                SHI_STORE(o, c * qx * (s[1][y] * s[2][z])); o += SH_BLOCK;
-                SHI_STORE(o, qx * (q[1][y] * e[2][z])); o += SH_BLOCK;
-            }
+        SHI_KN(shi_three)(s->scheme, two, along, h, t + lane, rate + lane, half + lane, &v);
+        SHI_UNROLL for (z = 0; z < 2; z++) {
+            o = SHI_KN(shi_node)(&v, 4, two, 0, 0, z, o);
+            o = SHI_KN(shi_node)(&v, 4, two, 1, 0, z, o);
+            o = SHI_KN(shi_node)(&v, 4, two, 0, 1, z, o);
+            o = SHI_KN(shi_node)(&v, 4, two, 1, 1, z, o);
         }
-        for (; o < w + stencil->terms * SH_BLOCK; o += SH_BLOCK) SHI_STORE(o, SHI_SPLAT(SHI_C(0)));
+    }
+    for (; lane + SHI_W <= SH_BLOCK; lane += SHI_W) {
+        SHI_KN(shi_axes) v;
+        SHI_T *o = w + lane;
+        SHI_KN(shi_three)(s->scheme, taps, along, h, t + lane, rate + lane, half + lane, &v);
+        for (z = 0; z < taps[2]; z++)
+            for (y = 0; y < taps[1]; y++)
+                for (x = 0; x < taps[0]; x++) o = SHI_KN(shi_node)(&v, planes, taps, x, y, z, o);
+        for (; o < w + s->terms * SH_BLOCK; o += SH_BLOCK) SHI_STORE(o, SHI_SPLAT(SHI_C(0)));
     }
 }
 
@@ -267,6 +299,7 @@ SHI_KERNEL void SHI_KN(shi_list_dot)(const int vectors, size_t last, size_t term
 }
 
 /* n coefficients of the list, up to 8 vectors at a time. Returns 0, with nothing done, if a vector holds more than n. */
+#define SHI_PASS(left) ((left) <= 8 ? (left) : (left) < 16 ? ((left) + 1) / 2 : 8)
 #define SHI_CASES(name, args) switch (now) { \
     case 1: SHI_KN(name) args(1); break; case 2: SHI_KN(name) args(2); break; case 3: SHI_KN(name) args(3); break; \
     case 4: SHI_KN(name) args(4); break; case 5: SHI_KN(name) args(5); break; case 6: SHI_KN(name) args(6); break; \
@@ -274,12 +307,12 @@ SHI_KERNEL void SHI_KN(shi_list_dot)(const int vectors, size_t last, size_t term
 
 SHI_INLINE int SHI_KN(shi_gather)(size_t n, size_t terms, const ptrdiff_t *offset, const SHI_T *w, const SHI_T *from, SHI_T *out)
 {
-    const size_t lanes = (size_t)SHI_W, all = (n + lanes - 1) / lanes, passes = (all + 7) / 8, step = (all + passes - 1) / passes;
-    size_t left, now;
+    const size_t lanes = (size_t)SHI_W;
+    size_t left = (n + lanes - 1) / lanes, now;
 
     if (n < lanes) return 0;
-    for (left = all; left; left -= now, n -= now * lanes, from += now * lanes, out += now * lanes) {
-        const size_t last = (now = left < step ? left : step) == left ? n - lanes : (now - 1) * lanes;
+    for (; left; left -= now, n -= now * lanes, from += now * lanes, out += now * lanes) {
+        const size_t last = (now = SHI_PASS(left)) == left ? n - lanes : (now - 1) * lanes;
 #define SHI_ARGS(c) (c, last, terms, offset, w, from, out)
         SHI_CASES(shi_list_store, SHI_ARGS)
 #undef SHI_ARGS
@@ -291,17 +324,17 @@ SHI_INLINE int SHI_KN(shi_gather)(size_t n, size_t terms, const ptrdiff_t *offse
 SHI_INLINE int SHI_KN(shi_gather_dot)(size_t n, size_t terms, const ptrdiff_t *offset, const SHI_T *w, const SHI_T *from,
                                       const SHI_T *transfer, SHI_T *value)
 {
-    const size_t lanes = (size_t)SHI_W, all = (n + lanes - 1) / lanes, passes = (all + 7) / 8, step = (all + passes - 1) / passes;
-    const size_t rest = n - (all - 1) * lanes;      /* what the last vector does not share with the one before */
+    const size_t lanes = (size_t)SHI_W;
+    size_t left = (n + lanes - 1) / lanes, now;
+    const size_t rest = n - (left - 1) * lanes;     /* what the last vector does not share with the one before */
     SHI_T end[SHI_W];
     SHI_V dot = SHI_SPLAT(SHI_C(0));
-    size_t left, now;
 
     if (n < lanes) return 0;
     memset(end, 0, sizeof end);
     memcpy(end + lanes - rest, transfer + n - rest, rest * sizeof *end);
-    for (left = all; left; left -= now, n -= now * lanes, from += now * lanes, transfer += now * lanes) {
-        const size_t last = (now = left < step ? left : step) == left ? n - lanes : (now - 1) * lanes;
+    for (; left; left -= now, n -= now * lanes, from += now * lanes, transfer += now * lanes) {
+        const size_t last = (now = SHI_PASS(left)) == left ? n - lanes : (now - 1) * lanes;
         const SHI_T *const tail = now == left ? end : transfer + last;
 #define SHI_ARGS(c) (c, last, terms, offset, w, from, transfer, tail, &dot)
         SHI_CASES(shi_list_dot, SHI_ARGS)
@@ -311,6 +344,7 @@ SHI_INLINE int SHI_KN(shi_gather_dot)(size_t n, size_t terms, const ptrdiff_t *o
     return 1;
 }
 #undef SHI_CASES
+#undef SHI_PASS
 #undef SHI_AT
 
 #elif SHI_ROOM == SHI_PUBLIC /* ----------------------------------------------------------------------------- */
@@ -347,19 +381,21 @@ SHI_INLINE int SHI_FN(shi_grid_stencil)(int bands, int planes, int channels, con
     return SH_OK;
 }
 
-/* A query's cell, and its place there. Coordinates are in cells from the origin; the error of t is that of a point
- * moved by 2 eps |point - origin|. */
-SHI_INLINE int SHI_FN(shi_locate)(SHI_T point, SHI_T origin, SHI_T inverse, int count, SHI_T reach, SHI_T *t, SHI_T *rate)
-{
-    const SHI_T x = (point - origin) * inverse, high = (SHI_T)(count - 1) + reach;
-    const SHI_T inside = x < -reach ? -reach : x > high ? high : x;
-    int i;
+/* An axis as the queries see it: in cells from the origin, a query is clamped to low .. high and lies in cell 0 .. top. An axis
+ * of one node has low = high = top = inverse = 0. */
+typedef struct { SHI_T origin, inverse, low, high, top; } SHI_FN(shi_axis_range);
 
-    if (count == 1) { *t = *rate = 0; return 0; }
-    i = inside < 1 ? 0 : inside < (SHI_T)(count - 1) ? (int)inside : count - 2;
+/* A query's cell, the place t in it and rate = dt/dpoint. The error of t is that of a point moved by 2 eps |point - origin|. */
+SHI_INLINE size_t SHI_FN(shi_locate)(const SHI_FN(shi_axis_range) *r, SHI_T point, SHI_T *t, SHI_T *rate)
+{
+    const SHI_T x = (point - r->origin) * r->inverse;
+    const SHI_T inside = x > r->low ? x < r->high ? x : r->high : r->low;      /* low for the NaN of infinity times 0 */
+    const SHI_T ahead = inside > 0 ? inside : 0, cell = ahead < r->top ? ahead : r->top;
+    const int i = (int)cell;
+
     *t = inside - (SHI_T)i;
-    *rate = inside == x ? inverse : 0;
-    return i;
+    *rate = inside == x ? r->inverse : 0;
+    return (size_t)i;
 }
 
 /* One list, in registers if a vector holds no more than n coefficients. */
@@ -387,32 +423,45 @@ SHI_INLINE int SHI_FN(shi_grid_queries)(shi_stencil *s, const SHI_FN(sh_grid) *g
                                         SHI_T *out)
 {
     const SHI_T reach = outside == SH_EXTRAPOLATE ? SHI_C(SHI_REACH) : 0;
-    SHI_T inverse[3], h[3], t[3 * SH_BLOCK], rate[3 * SH_BLOCK], half[6 * SH_BLOCK], w[SHI_TERMS * SH_BLOCK];
+    SHI_T h[3], t[3 * SH_BLOCK], rate[3 * SH_BLOCK], half[6 * SH_BLOCK], w[SHI_TERMS * SH_BLOCK];
+    SHI_FN(shi_axis_range) range[3];
     size_t first[SH_BLOCK], done, q, left;
     int neighbours[SH_BLOCK], a, c, p, status = SH_OK;
 
-    for (a = 0; a < 3; a++) {
-        h[a] = grid->count[a] > 1 ? grid->cell[a] : 0;
-        inverse[a] = grid->count[a] > 1 ? 1 / grid->cell[a] : 0;
-    }
+    memset(range, 0, sizeof range);
+    memset(h, 0, sizeof h);
+    for (a = 0; a < 3; a++)
+        if (grid->count[a] > 1) {
+            h[a] = grid->cell[a];
+            range[a].origin = grid->origin[a];
+            range[a].inverse = 1 / grid->cell[a];
+            range[a].low = -reach;
+            range[a].high = (SHI_T)(grid->count[a] - 1) + reach;
+            range[a].top = (SHI_T)(grid->count[a] - 2);
+        }
     memset(t, 0, sizeof t);
     memset(rate, 0, sizeof rate);
     memset(half, 0, sizeof half);
     for (done = 0; done < count; done += left) {
-        left = count - done < SH_BLOCK ? count - done : SH_BLOCK;
+        left = count - done < (size_t)SH_BLOCK ? count - done : (size_t)SH_BLOCK;
         for (q = 0; q < left; q++) {
             const SHI_T *point = points + 3 * (done + q);
+            neighbours[q] = 0;
             first[q] = 0;
-            neighbours[q] = SHI_FN(shi_finite)(point, 3) ? 0 : -1;
-            if (neighbours[q] < 0) status = SH_ERROR_NOT_FINITE;
-            for (a = 0; a < 3 && neighbours[q] >= 0; a++) {
-                const size_t at = (size_t)a * SH_BLOCK + q;
-                const int i = SHI_FN(shi_locate)(point[a], grid->origin[a], inverse[a], grid->count[a], reach, &t[at], &rate[at]);
-                const int lower = s->taps[a] == 4 && i > 0, upper = s->taps[a] == 4 && i + 2 < grid->count[a];
-                first[q] += s->step[a] * (size_t)i;
-                neighbours[q] |= lower << 2 * a | upper << (2 * a + 1);
-                half[at + (size_t)a * SH_BLOCK] = lower ? SHI_C(0.5) : 0;
-                half[at + (size_t)(a + 1) * SH_BLOCK] = upper ? SHI_C(0.5) : 0;
+            if (!SHI_FN(shi_finite)(point, 3)) {
+                status = SH_ERROR_NOT_FINITE;
+                neighbours[q] = -1;
+                continue;
+            }
+            for (a = 0; a < 3; a++) {
+                const size_t at = (size_t)a * SH_BLOCK + q, i = SHI_FN(shi_locate)(&range[a], point[a], &t[at], &rate[at]);
+                first[q] += s->step[a] * i;
+                if (s->taps[a] == 4) {
+                    const int lower = i > 0, upper = i + 2 < (size_t)grid->count[a];
+                    neighbours[q] |= lower << 2 * a | upper << (2 * a + 1);
+                    half[at + (size_t)a * SH_BLOCK] = lower ? SHI_C(0.5) : 0;
+                    half[at + (size_t)(a + 1) * SH_BLOCK] = upper ? SHI_C(0.5) : 0;
+                }
             }
         }
         for (p = 0; p < planes_out; p++) {
@@ -557,7 +606,7 @@ SHI_INLINE int SHI_FN(shi_samples)(int bands, int planes, int channels, SHI_T po
     if (!samples || !blocks || !point || !coeffs) return SH_ERROR_NULL;
     if (bands < 1 || bands > SH_MAX_BANDS) return SH_ERROR_BANDS;
     if (planes != SH_VALUES && planes != SH_GRADIENT && planes != SH_HESSIAN) return SH_ERROR_OPTION;
-    if (!(power > 0 && power <= SHI_C(64))) return SH_ERROR_OPTION;
+    if (!SHI_FN(shi_finite)(&power, 1) || !(power > 0 && power <= SHI_C(64))) return SH_ERROR_OPTION;
     block = n * (size_t)planes * (size_t)(channels > 0 ? channels : 0);
     if (channels < 1 || count < 1 || count > (size_t)-1 / 2 / sizeof(SHI_T) / block) return SH_ERROR_COUNT;
     if (shi_overlap(coeffs, n * (size_t)channels * sizeof *coeffs, blocks, count * block * sizeof *blocks)
