@@ -334,6 +334,7 @@ SHI_INLINE int shi_overlap(const void *a, size_t a_bytes, const void *b, size_t 
 #define SHI_PUT(p, v, stride) SHI_KN(shi_put)(p, v, stride)
 #define SHI_SQRT(v)     SHI_KN(shi_sqrt)(v)
 #define SHI_RSQRT(v)    SHI_KN(shi_rsqrt)(v)
+#define SHI_FMA(a, b, c) SHI_KN(shi_fma)(a, b, c)
 #define SHI_ABS(v)      SHI_KN(shi_abs)(v)
 #define SHI_SUM(v)      SHI_KN(shi_sum)(v)
 #define SHI_ANY(m)      SHI_KN(shi_any)(m)
@@ -358,6 +359,7 @@ SHI_INLINE int shi_overlap(const void *a, size_t a_bytes, const void *b, size_t 
 #undef SHI_PUT
 #undef SHI_SQRT
 #undef SHI_RSQRT
+#undef SHI_FMA
 #undef SHI_ABS
 #undef SHI_SUM
 #undef SHI_ANY
@@ -506,6 +508,52 @@ SHI_KERNEL void SHI_KN(shi_zip)(SHI_V a, SHI_V b, SHI_V *lo, SHI_V *hi)
 }
 #endif
 
+/* a*b + c, rounded once where the target can. Kernels leave contraction to the compiler except in sums of two products,
+ * where its choice of the product to keep exact would differ from one inlined copy to the next. */
+SHI_KERNEL SHI_V SHI_FMA(SHI_V a, SHI_V b, SHI_V c)
+{
+#if SHI_LANES == 1 && SHI_BITS == 32 && (defined(__FMA__) || defined(__aarch64__))
+    return __builtin_fmaf(a, b, c);
+#elif SHI_LANES == 1 && (defined(__FMA__) || defined(__aarch64__))
+    return __builtin_fma(a, b, c);
+#elif SHI_BYTES == 16 && SHI_BITS == 32 && defined(__FMA__)
+    return __builtin_ia32_vfmaddps(a, b, c);
+#elif SHI_BYTES == 16 && defined(__FMA__)
+    return __builtin_ia32_vfmaddpd(a, b, c);
+#elif SHI_BYTES == 32 && SHI_BITS == 32 && defined(__FMA__)
+    return __builtin_ia32_vfmaddps256(a, b, c);
+#elif SHI_BYTES == 32 && defined(__FMA__)
+    return __builtin_ia32_vfmaddpd256(a, b, c);
+#elif SHI_BYTES == 64 && SHI_BITS == 32 && defined(__clang__)
+    return __builtin_ia32_vfmaddps512_mask(a, b, c, (unsigned short)-1, 4);
+#elif SHI_BYTES == 64 && defined(__clang__)
+    return __builtin_ia32_vfmaddpd512_mask(a, b, c, (unsigned char)-1, 4);
+#elif SHI_BYTES == 64 && SHI_BITS == 32
+    return __builtin_ia32_vfmaddps512_mask(a, b, c, -1, 4);
+#elif SHI_BYTES == 64
+    return __builtin_ia32_vfmaddpd512_mask(a, b, c, (unsigned char)-1, 4);
+#else
+    return a * b + c;
+#endif
+}
+SHI_KERNEL SHI_V SHI_KN(shi_length2)(const SHI_V v[3])
+{
+    return SHI_FMA(v[0], v[0], SHI_FMA(v[1], v[1], v[2] * v[2]));
+}
+/* z^2 - 1/2 of a unit vector, exact to half an ulp of 1/2 at the poles and relatively at the equator */
+SHI_KERNEL SHI_V SHI_KN(shi_polar_t)(const SHI_V u[3])
+{
+    const SHI_V r2 = SHI_FMA(u[0], u[0], u[1] * u[1]);
+    return SHI_SELECT((SHI_M)(r2 < SHI_C(0.5)), SHI_C(0.5) - r2, SHI_FMA(u[2], u[2], SHI_SPLAT(SHI_C(-0.5))));
+}
+/* (c, s) to those of the next m: times -(x + iy) */
+SHI_KERNEL void SHI_KN(shi_next_power)(const SHI_V u[3], SHI_V *c, SHI_V *s)
+{
+    const SHI_V t = SHI_FMA(u[1], *s, -(u[0] * *c));
+    *s = -SHI_FMA(u[0], *s, u[1] * *c);
+    *c = t;
+}
+
 /* |y - x|^2 - r^2 in twice the working precision, d = y - x: what is left decides everything near a light.
  * Float computes in double; double carries the rounding errors along (Knuth's sum, Dekker's product). */
 SHI_KERNEL SHI_V SHI_KN(shi_gap)(const SHI_V y[3], const SHI_T x[3], SHI_V r)
@@ -552,11 +600,10 @@ SHI_KERNEL int SHI_KN(shi_in_range)(SHI_V v, SHI_T lo, SHI_T hi)
 /* v/|v| of a nearly unit v, e = |v|^2 - 1: 1/sqrt(1 + e) = 1 - e/2 + 3/8 e^2, and the length right to eps/4 */
 SHI_KERNEL SHI_V SHI_KN(shi_polish)(const SHI_V v[3], SHI_V u[3])
 {
-    const SHI_V e = v[0] * v[0] + (v[1] * v[1] + (v[2] * v[2] - SHI_C(1)));
+    const SHI_V e = SHI_FMA(v[0], v[0], SHI_FMA(v[1], v[1], SHI_FMA(v[2], v[2], SHI_SPLAT(-1))));
     const SHI_V s = e * (SHI_C(0.375) * e - SHI_C(0.5));
-    u[0] = v[0] + v[0] * s;
-    u[1] = v[1] + v[1] * s;
-    u[2] = v[2] + v[2] * s;
+    int k;
+    for (k = 0; k < 3; k++) u[k] = SHI_FMA(v[k], s, v[k]);
     return e;
 }
 
@@ -570,8 +617,7 @@ SHI_KERNEL int SHI_KN(shi_nearly_unit)(const SHI_V v[3], SHI_V u[3])
 /* unit vectors and 1/length of vectors of any length; 0 if one is out of range */
 SHI_KERNEL int SHI_KN(shi_unit)(const SHI_V v[3], SHI_V u[3], SHI_V *inverse)
 {
-    const SHI_V r2 = v[0] * v[0] + v[1] * v[1] + v[2] * v[2];
-    const SHI_V i = SHI_C(1) / SHI_SQRT(r2);
+    const SHI_V r2 = SHI_KN(shi_length2)(v), i = SHI_C(1) / SHI_SQRT(r2);
     SHI_V w[3];
     w[0] = v[0] * i;
     w[1] = v[1] * i;
@@ -861,13 +907,12 @@ SHI_KERNEL void SHI_KN(shi_next_powers)(int m, const SHI_V u[3], SHI_V uv[4])
     if (m == 0) return;
     uv[2] = c;
     uv[3] = s;
-    uv[0] = m == 1 ? -u[0] : u[1] * s - u[0] * c;
-    uv[1] = m == 1 ? -u[1] : -(u[0] * s + u[1] * c);
+    SHI_KN(shi_next_power)(u, &uv[0], &uv[1]);
 }
 
 SHI_KERNEL void SHI_KN(shi_sum_horner)(int n, int with_grad, const SHI_T *a, const SHI_V u[3], SHI_V *value, SHI_V f[3])
 {
-    const SHI_V z = u[2], t = SHI_C(0.5) - (u[0] * u[0] + u[1] * u[1]), z2 = z + z;
+    const SHI_V z = u[2], t = SHI_KN(shi_polar_t)(u), z2 = z + z;
     SHI_V uv[4];
     int m, parity, sign, k;
     uv[0] = SHI_SPLAT(1);
@@ -1007,7 +1052,7 @@ SHI_KERNEL void SHI_KN(shi_light_weights)(int n, int kinds, const SHI_T point[3]
 {
     const SHI_V zero = SHI_SPLAT(0), one = SHI_SPLAT(1);
     const SHI_V dx = center[0] - point[0], dy = center[1] - point[1], dz = center[2] - point[2];
-    const SHI_V r2 = dx * dx + dy * dy + dz * dz, rough = r2 - radius * radius;
+    const SHI_V r2 = SHI_FMA(dx, dx, SHI_FMA(dy, dy, dz * dz)), rough = r2 - radius * radius;
     const SHI_M close = (SHI_M)(rough < SHI_C(0.5) * r2), dark = (SHI_M)(radius == zero);
     const SHI_V gap = SHI_ANY(close) ? SHI_SELECT(close, SHI_KN(shi_gap)(center, point, radius), rough) : rough;
     const SHI_M inside = (SHI_M)(gap <= zero) & (SHI_M)(radius > zero), none = dark | inside;
@@ -1024,11 +1069,9 @@ SHI_KERNEL void SHI_KN(shi_light_weights)(int n, int kinds, const SHI_T point[3]
     (void)SHI_KN(shi_polish)(u, u);
     pool[2 * levels * nb + kinds * levels * nb] = u[2];
     for (m = 0; m < levels; m++) {                              /* U_m, V_m times radiance */
-        const SHI_V next = u[1] * us - u[0] * uc;
         c[m * nb] = uc;
         v[m * nb] = us;
-        us = -(u[0] * us + u[1] * uc);
-        uc = next;
+        SHI_KN(shi_next_power)(u, &uc, &us);
     }
     for (t = 0; t < kinds; t++)                                 /* bands a kind does not reach */
         for (l = 0; l < 2 && l < levels; l++) {
@@ -1207,11 +1250,9 @@ SHI_KERNEL int SHI_KN(shi_sample_powers)(const SHI_T *dirs, const SHI_T *weights
     uc = SHI_LOAD(w);
     us = SHI_SPLAT(0);
     for (m = 0; m < levels; m++) {
-        const SHI_V next = u[1] * us - u[0] * uc;
         c[m * nb] = uc;
         s[m * nb] = us;
-        us = -(u[0] * us + u[1] * uc);
-        uc = next;
+        SHI_KN(shi_next_power)(u, &uc, &us);
     }
     pool[3 * levels * nb] = u[2];
     return ok;
@@ -1292,12 +1333,11 @@ SHI_NOINLINE int SHI_KN(shi_moments_hessian)(int n, const SHI_T *point, size_t c
 /* what the columns need of a unit vector: z, and t or w with the sign of z */
 SHI_KERNEL void SHI_BN(shi_polar)(const SHI_V u[3], SHI_V a[3])
 {
-    const SHI_V r2 = u[0] * u[0] + u[1] * u[1];
     a[0] = u[2];
 #if SHI_FIXED
-    a[1] = a[2] = SHI_SELECT((SHI_M)(r2 < SHI_SPLAT(SHI_C(0.5))), SHI_C(0.5) - r2, u[2] * u[2] - SHI_C(0.5));
+    a[1] = a[2] = SHI_KN(shi_polar_t)(u);
 #else
-    a[1] = r2 / (SHI_C(1) + SHI_ABS(u[2]));
+    a[1] = SHI_FMA(u[0], u[0], u[1] * u[1]) / (SHI_C(1) + SHI_ABS(u[2]));
     a[2] = SHI_SELECT((SHI_M)(u[2] < SHI_SPLAT(0)), SHI_SPLAT(-1), SHI_SPLAT(1));
 #endif
 }
@@ -1348,11 +1388,7 @@ SHI_KERNEL void SHI_BN(shi_values)(int n, const SHI_V u[3], SHI_T *y, int stride
                 SHI_PUT(at - m * stride, q[l] * s, stride);
             }
         }
-        if (m > 0) {
-            const SHI_V t = u[1] * s - u[0] * c;
-            s = -(u[0] * s + u[1] * c);
-            c = t;
-        }
+        if (m > 0) SHI_KN(shi_next_power)(u, &c, &s);
     }
 }
 
@@ -1374,9 +1410,7 @@ SHI_KERNEL void SHI_BN(shi_gradient)(int n, const SHI_V u[3], SHI_V i, SHI_T *y,
             c = -x;
             s = -v;
         } else if (m > 1) {
-            const SHI_V t = v * s - x * c;
-            s = -(x * s + v * c);
-            c = t;
+            SHI_KN(shi_next_power)(u, &c, &s);
         }
         {
             const SHI_V xc = xi * c, xs = xi * s, vc = vi * c, vs = vi * s, ic = i * c, is = i * s;
@@ -1450,8 +1484,7 @@ SHI_KERNEL void SHI_BN(shi_hessian)(int n, const SHI_V u[3], SHI_V i, SHI_T *y, 
             s2 = s1;
             c1 = c0;
             s1 = s0;
-            c0 = u[1] * s1 - u[0] * c1;
-            s0 = -(u[0] * s1 + u[1] * c1);
+            SHI_KN(shi_next_power)(u, &c0, &s0);
         }
         SHI_LOOP
         for (l = m; l < n; l++) {
@@ -2123,8 +2156,10 @@ SH_API int SHI_FN(sh_zonal_cap)(int bands, SHI_T sin_half_angle, SHI_T *zh, SHI_
  * Source: M22 Eq. 11. */
 SH_API int SHI_FN(sh_zonal_rotate)(int bands, const SHI_T *zh, const SHI_T dir[3], SHI_T *coeffs)
 {
-    int l, m;
-    const int status = zh ? SHI_FN(sh_eval)(bands, dir, coeffs) : SH_ERROR_NULL;
+    int status = SHI_FN(shi_check_basis)(bands, 1, dir, coeffs, coeffs, NULL, NULL), l, m;
+    if (!status && !zh) status = SH_ERROR_NULL;
+    if (!status && shi_overlap(zh, (size_t)bands * sizeof *zh, coeffs, (size_t)(bands * bands) * sizeof *zh)) status = SH_ERROR_OVERLAP;
+    if (!status) status = SHI_FN(sh_eval)(bands, dir, coeffs);
     if (status) return status;
     for (l = 0; l < bands; l++) {
         const SHI_T f = zh[l] / SHI_FN(shi_zonal)[l];
