@@ -4500,7 +4500,7 @@ SHI_NOINLINE void shi_triangle_nodes(shi_sink *sink, const shi_corner *c0, const
 {
     const shi_corner *p[3];
     double g[3];
-    const double reach = 0.65 * (double)(sink->ns > sink->nt ? sink->ns : sink->nt);
+    const double reach = 0.65 * (double)((sink->ns > sink->nt ? sink->ns : sink->nt) + 3);
     int w, n1, n2, i, j, k;
     p[0] = c0;
     p[1] = c1;
@@ -4615,10 +4615,8 @@ SHI_NOINLINE int shi_polygon_engine(int bands, int sides, int tight, const doubl
         const double length = sqrt(shi_dot3(area, area));
         double axis[3], part = 0, share = 1;
         if (!(length > 0)) return on_edge ? SH_ON_LIGHT : SH_OK;
-        for (i = 0; i < count; i++) {
-            shi_scene_arc(&scene, i, &e);
-            part += atan2(shi_dot3(e.normal, area) / length, e.dot);
-        }
+        for (i = 0; i < count; i++)
+            if (shi_scene_arc(&scene, i, &e) == 1) part += atan2(shi_dot3(e.normal, area) / length, e.dot);
         part /= turn;
         if (!on_edge) part = floor(part + 0.5);
         if (part != 0) {
@@ -4993,11 +4991,15 @@ SHI_INLINE int SHI_FN(shi_polygon_check)(int bands, int sides, const SHI_T *poin
 }
 
 /* to T; beyond its range, its largest number */
-SHI_INLINE void SHI_FN(shi_polygon_store)(size_t count, const double *in, SHI_T *out)
+SHI_INLINE SHI_T SHI_FN(shi_polygon_round)(double v)
 {
     const double most = SHI_BITS == 32 ? 3.4028234663852886e38 : 1.7976931348623157e308;
+    return (SHI_T)(v > most ? most : v < -most ? -most : v);
+}
+SHI_INLINE void SHI_FN(shi_polygon_store)(size_t count, const double *in, SHI_T *out)
+{
     size_t i;
-    for (i = 0; i < count; i++) out[i] = (SHI_T)(in[i] > most ? most : in[i] < -most ? -most : in[i]);
+    for (i = 0; i < count; i++) out[i] = SHI_FN(shi_polygon_round)(in[i]);
 }
 
 /* Coefficients of a polygon of unit radiance, coeffs[N], and their gradient by the shading point, grad[3][N] (NULL: no
@@ -5237,7 +5239,7 @@ SHI_INLINE int SHI_FN(shi_polygons_with)(int n, int planes, int channels, int si
                     for (k = 0; k < pass; k++) {
                         const double r = radiance ? (double)radiance[(size_t)(c + k) * polygons + g] : 1;
                         SHI_T *const to = out + (p + (size_t)i) * stride + (size_t)(c + k) * row;
-                        for (l = 0; l < rows; l++) to[l] = (SHI_T)((double)to[l] + r * (l < size ? value[l] : grad[l - size]));
+                        for (l = 0; l < rows; l++) to[l] = SHI_FN(shi_polygon_round)((double)to[l] + r * (l < size ? value[l] : grad[l - size]));
                     }
                 }
             }
@@ -5500,7 +5502,7 @@ SHI_INLINE int SHI_FN(shi_zonal_point)(int n, int planes, int sides, const SHI_T
     (void)lanes;
     for (k = 0; k < planes; k++) {
         SHI_MANY(shi_polygon_lobe_sum)(n, vectors, weights, sums + k * n, out + k * size);
-        for (l = 0; any && l < size; l++) out[k * size + l] = (SHI_T)((double)out[k * size + l] + extra[k * size + l]);
+        for (l = 0; any && l < size; l++) out[k * size + l] = SHI_FN(shi_polygon_round)((double)out[k * size + l] + extra[k * size + l]);
     }
     return status;
 }
