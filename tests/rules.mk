@@ -58,3 +58,8 @@ sanitize-address sanitize-memory: sanitize-%: | $(TESTS_DIR)
 	memory) f="-fsanitize=memory -fsanitize-memory-track-origins" ;; esac; \
 	clang -std=gnu99 -O1 -g $$f -ffp-contract=off -I. -Itests/plain -Itests -o $(TESTS_DIR)/$* $$t tests/ref.c tests/report.c -lm; \
 	SH_TEST_EFFORT=0.05 $(TESTS_DIR)/$*; done
+
+# make install and cmake --install, each used from a folder of its own
+.PHONY: test-install
+TEST_TARGETS += test-install
+test-install: ; @sh tests/install.sh

@@ -98,7 +98,7 @@ static void F(round_trip)(void **state)
 {
     static const char *const scaled[] = { "babylon-polynomial", "gltf", "godot", "unity", "unity-packed", "filament", "scipy", "mpmath",
                                           "sympy", "boost", "healpy", "gsl", "shtools", "n3d", "sn3d", "fuma" };
-    static T c[1024], back[1024], theirs[2048];
+    static T c[1024], back[1024], theirs[2049];
     row *w = row_open("there and back, scaled systems", PRECISION);
     int id, i, bands;
     size_t k;
