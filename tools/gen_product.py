@@ -117,8 +117,8 @@ def swap_table():
 
 
 def clamp_table():
-    """M[m][l][l'] = integral of Y_lm max(0, z) Y_l'm: per m and row l the columns l' = l, l-2, ... >= m,
-    then (l > m) l' = l-1."""
+    """M[m][l][l'] = integral of Y_lm max(0, z) Y_l'm. Per m two symmetric squares, of the rows l = m, m+2, ... and of
+    l = m+1, m+3, ...; then the entries (l, l-1), l = m+1 ...; the others are zero."""
     nodes = [((1 + z) / 2, w / 2) for z, w in gauss(BANDS + 2)]
     parts = [theta_part(BANDS, z) for z, _ in nodes]
 
@@ -127,12 +127,13 @@ def clamp_table():
         return total * (pi if m else 2 * pi)
     out = []
     for m in range(BANDS):
-        for l in range(m, BANDS):
-            out += [entry(m, l, k) for k in range(l, m - 1, -2)]
-            if l > m:
-                out.append(entry(m, l, l - 1))
-                exact = sqrt(mpf(l * l - m * m) / (4 * l * l - 1)) / 2      # half the bracket of z
-                assert abs(out[-1] - exact) < mpf(10) ** -50
+        for first in (m, m + 1):
+            rows = range(first, BANDS, 2)
+            out += [entry(m, l, k) for l in rows for k in rows]
+        for l in range(m + 1, BANDS):
+            out.append(entry(m, l, l - 1))
+            exact = sqrt(mpf(l * l - m * m) / (4 * l * l - 1)) / 2          # half the bracket of z
+            assert abs(out[-1] - exact) < mpf(10) ** -50
             for k in range(l - 3, m - 1, -2):
                 assert abs(entry(m, l, k)) < mpf(10) ** -50
     assert abs(out[0] - mpf(1) / 4) < mpf(10) ** -50
@@ -182,7 +183,7 @@ def block():
     out = [emit("shi_swap", swap_table(),
                 "Bands 0..15: per band two blocks that y <-> z maps to themselves, and one between two classes.")]
     out.append(emit("shi_clamp", clamp_table(),
-                    "Per m, row l: M(l,l), M(l,l-2), ... down to m, then M(l,l-1) for l > m."))
+                    "Clamped cosine. Per m: the square of rows l = m, m+2, ..., that of m+1, m+3, ..., and (l, l-1), l > m."))
     out.append(emit("shi_node_z", flat[0], f"Gauss-Legendre, the positive nodes of {names} pairs: z,"))
     out.append(emit("shi_node_s", flat[1], "sqrt(1 - z^2),"))
     out.append(emit("shi_node_w", flat[2], "and weight."))
