@@ -39,7 +39,9 @@
 
 /* ---- values ---- */
 
+#if !defined(BENCH_AUTO)
 PER_DIRECTION(values_polynomial, polynomial_values(BANDS, in->dirs + 3 * d, in->y + N * i);)
+#endif
 PER_DIRECTION(values_sloan, sloan_values(BANDS, in->dirs + 3 * d, in->y + N * i);)
 
 /* ---- derivatives by the angles ---- */
@@ -52,8 +54,10 @@ INLINE void angles_by(const int direct, const int bands, const real theta, const
     else m22_sloan_like(0, bands, dir, st, ct / st, NULL, y, dt, dp, NULL);
 }
 
+#if !defined(BENCH_AUTO)
 PER_DIRECTION(angles_direct, angles_by(1, BANDS, in->theta[d], in->phi[d], ANGLE_OUTPUTS(N));)
 PER_DIRECTION(angles_sloan_like, angles_by(0, BANDS, in->theta[d], in->phi[d], ANGLE_OUTPUTS(N));)
+#endif
 
 /* ---- gradient by v ---- */
 
@@ -77,8 +81,10 @@ INLINE void gradient_polynomial_of(const int bands, const real v[3], real *RESTR
     polynomial_gradient(bands, u, ir, y, grad, grad + n2, grad + 2 * n2);
 }
 
+#if !defined(BENCH_AUTO)
 PER_DIRECTION(gradient_polynomial, gradient_polynomial_of(BANDS, in->vectors + 3 * d, in->y + N * i, in->grad + 3 * N * i);)
 PER_DIRECTION(gradient_direct, gradient_by(1, BANDS, in->vectors + 3 * d, in->y + N * i, in->grad + 3 * N * i);)
+#endif
 PER_DIRECTION(gradient_sloan_like, gradient_by(0, BANDS, in->vectors + 3 * d, in->y + N * i, in->grad + 3 * N * i);)
 
 /* ---- Hessian ---- */
@@ -117,11 +123,14 @@ INLINE void accumulate(const int n2, const real w, const real *RESTRICT y, real 
     for (k = 0; k < n2; k++) sum[k] += w * y[k];
 }
 
+#if !defined(BENCH_AUTO)
 PER_DIRECTION(reconstruct_polynomial, real y[N]; polynomial_values(BANDS, in->dirs + 3 * d, y);
               in->y[d] = dot(N, in->coeffs, y);)
+#endif
 PER_DIRECTION(reconstruct_sloan, real y[N]; sloan_values(BANDS, in->dirs + 3 * d, y); in->y[d] = dot(N, in->coeffs, y);)
+#if !defined(BENCH_AUTO)
 PER_DIRECTION(project_polynomial, real y[N]; if (!d) memset(in->y, 0, N * sizeof(real));
               polynomial_values(BANDS, in->dirs + 3 * d, y); accumulate(N, in->weights[d], y, in->y);)
 PER_DIRECTION(project_sloan, real y[N]; if (!d) memset(in->y, 0, N * sizeof(real));
               sloan_values(BANDS, in->dirs + 3 * d, y); accumulate(N, in->weights[d], y, in->y);)
-
+#endif

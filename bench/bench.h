@@ -36,6 +36,7 @@ typedef struct bench_case {
     size_t lanes;               /* layout of out: [held/lanes][numbers][lanes]; 0 means 1 */
     double tolerance;           /* of the check, relative to the largest number of the output; 0: no check */
     double flops, bytes;        /* per item: arithmetic done, numbers stored; 0: not counted */
+    int group;                  /* cases are compared within a group */
     int column;                 /* of the printed table, where that is not the bands */
 } bench_case;
 

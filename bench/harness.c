@@ -159,7 +159,7 @@ static void poison(const bench_case *c)
     }
 }
 
-/* Compares case i with the first of its kernel, bands, column and shape; outputs may share memory, so that one is copied. */
+/* Compares case i with the first of its kernel, bands, column, group and shape; outputs may share memory, so that one is copied. */
 static void check_case(int i)
 {
     const bench_case *c = &suite.cases[i].c, *r = c;
@@ -168,7 +168,7 @@ static void check_case(int i)
     for (j = 0; j < i && r == c; j++) {
         const bench_case *d = &suite.cases[j].c;
         if (d->tolerance > 0 && d->bands == c->bands && d->column == c->column && d->held == c->held &&
-            d->out[0].numbers == c->out[0].numbers && !strcmp(d->kernel, c->kernel))
+            d->group == c->group && d->out[0].numbers == c->out[0].numbers && !strcmp(d->kernel, c->kernel))
             r = d;
     }
     if (r == c) return;

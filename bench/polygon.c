@@ -1,4 +1,5 @@
-/* polygon.c - suites `polygon` (triangles), `polygon4`, `polygon8`: a polygon light seen from many points (WR18 Table 2). */
+/* polygon.c - suites `polygon` (triangles), `polygon4`, `polygon8`: one polygon light seen from many points
+ * (WR18 Table 2). */
 #include "polygon.h"
 
 #include <math.h>
@@ -6,11 +7,28 @@
 
 #include "sh_polygon.h"
 
-enum { POINTS = 32 };
+enum { POINTS = 64 };
 
 static const int polygon_bands[] = { 3, 5, 7, 9, 12, 15 };
 
+/* The default: many points per call. */
 static void library(const bench_case *self)
+{
+    const polygon_input *in = self->input;
+    FN(sh_polygons_n)(in->bands, in->gradient ? SH_GRADIENT : SH_VALUES, 1, SH_BOTH, in->points, in->point, 1,
+                      &in->sides, in->vertices, NULL, in->out);
+}
+
+/* WR18's route in its robust form. */
+static void library_zonal(const bench_case *self)
+{
+    const polygon_input *in = self->input;
+    FN(sh_polygons_zonal_n)(in->bands, in->gradient ? SH_GRADIENT : SH_VALUES, 1, SH_BOTH, in->points, in->point, 1,
+                            &in->sides, in->vertices, NULL, in->out);
+}
+
+/* The closed form in each edge's own frame, one point per call: at full accuracy everywhere, in double inside. */
+static void edge_frame(const bench_case *self)
 {
     const polygon_input *in = self->input;
     const size_t n2 = (size_t)(in->bands * in->bands);
@@ -124,7 +142,7 @@ static void suite(const char *name, int sides)
     size_t i, b;
     int gradient, k;
 
-    bench_suite(name, BENCH_PRECISION, "point", "one polygon seen from 32 points, about as far as it is wide");
+    bench_suite(name, BENCH_PRECISION, "point", "one polygon seen from 64 points, about as far as it is wide");
     bench_base("values", "wang_ramamoorthi");
     bench_base("gradient", "wang_ramamoorthi");
     points = bench_alloc(3 * POINTS, sizeof(real));
@@ -155,9 +173,10 @@ static void suite(const char *name, int sides)
             in->legendre = make_legendre(bands);
             in->out = bench_alloc(POINTS * (size_t)(planes * bands * bands), sizeof(real));
             add(in, "library", library, wr);
+            add(in, "edge_frame", edge_frame, wr);
+            add(in, "library_zonal", library_zonal, wr);
             add(in, "monomial", FN(polygon_monomial), mono);
             add(in, "wang_ramamoorthi", FN(polygon_wang_ramamoorthi), wr);
-            add(in, "wang_ramamoorthi_auto", FN(polygon_wang_ramamoorthi_auto), wr);
         }
     bench_run();
 }

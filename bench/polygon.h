@@ -17,10 +17,8 @@ typedef struct polygon_input {
     real *out;                  /* [points][planes][n^2] */
 } polygon_input;
 
-/* polygon_forms.c; bands 3 5 7 9 12 15. As scalar code, and (auto) with the compiler's vectoriser. */
+/* polygon_forms.c, scalar; bands 3 5 7 9 12 15 */
 void FN(polygon_monomial)(const bench_case *self);
 void FN(polygon_wang_ramamoorthi)(const bench_case *self);
-void FN(polygon_monomial_auto)(const bench_case *self);
-void FN(polygon_wang_ramamoorthi_auto)(const bench_case *self);
 
 #endif

@@ -9,12 +9,6 @@
 #include <math.h>
 #include <string.h>
 
-#if defined(BENCH_AUTO)
-#  define FORM(name) FN(name##_auto)
-#else
-#  define FORM(name) FN(name)
-#endif
-
 typedef struct edge {
     real w[3], lambda[3], mu[3];        /* frame: vertex direction, along the edge, normal of its great circle */
     real angle, c, s;                   /* gamma, its cosine and sine */
@@ -45,17 +39,17 @@ INLINE real prepare(const int sides, const int gradient, const real point[3], co
     }
     for (i = 0; i < sides; i++) {
         const int next = i + 1 < sides ? i + 1 : 0;
-        real inverse;
+        real length_inverse;
         cross(e[i].w, e[next].w, e[i].mu);
-        inverse = 1 / REAL_SQRT(dot3(e[i].mu, e[i].mu));
-        for (k = 0; k < 3; k++) e[i].mu[k] *= inverse;
+        length_inverse = 1 / REAL_SQRT(dot3(e[i].mu, e[i].mu));
+        for (k = 0; k < 3; k++) e[i].mu[k] *= length_inverse;
         cross(e[i].mu, e[i].w, e[i].lambda);
         e[i].c = dot3(e[i].w, e[next].w);
         e[i].angle = REAL_ACOS(e[i].c);
-        e[i].s = 1 / inverse;
+        e[i].s = 1 / length_inverse;
         if (gradient) {         /* 1/|p| at both ends determines k0, k1 */
             e[i].k0 = 1 / length[i];
-            e[i].k1 = (1 / length[next] - e[i].k0 * e[i].c) * inverse;
+            e[i].k1 = (1 / length[next] - e[i].k0 * e[i].c) * length_inverse;
             e[i].big_k0 = -e[i].k1;
             e[i].big_k1 = e[i].k0 * e[i].s - e[i].k1 * e[i].c;
         }
@@ -67,87 +61,115 @@ INLINE real prepare(const int sides, const int gradient, const real point[3], co
     return angle;
 }
 
-/* S_l about one lobe, l < bands, and (gradient) the three planes of its gradient: sum[1 or 4][bands]. Eq. 29-32. */
+/* 1/l and (2l-1)/l^2 and the like are constants of the forms */
+static const real inverse[POLYGON_MAX_BANDS + 2] = {
+    C(0.0), C(1.0), C(1.0) / 2, C(1.0) / 3, C(1.0) / 4, C(1.0) / 5, C(1.0) / 6, C(1.0) / 7, C(1.0) / 8, C(1.0) / 9,
+    C(1.0) / 10, C(1.0) / 11, C(1.0) / 12, C(1.0) / 13, C(1.0) / 14, C(1.0) / 15, C(1.0) / 16
+};
+
+/* S_l about one lobe, l < bands, and (gradient) the three planes of its gradient: sum[1 or 4][bands]. Eq. 29-32.
+ * Degrees outside, edges inside, as Algorithm 1 has them: edges do not wait for each other. A vertex belongs to two
+ * edges, so P_l(omega.w) is computed once for both. */
 INLINE void legendre_lobe(const int bands, const int gradient, const int sides, const edge *edges, const real omega[3],
                           const real s0, real *RESTRICT sum)
 {
-    real b_total[POLYGON_MAX_BANDS + 1];
+    enum { M = POLYGON_MAX_SIDES };
+    real a[M], c[M], up[M], b[M], sag[M], ab[M], b1[M], b2[M], d1[M], d2[M], h1[M], h2[M], g1[M];
+    real p[M], p1[M], total1 = 0;
     int l, i, k;
-    for (l = 0; l < (gradient ? 4 : 1) * bands; l++) sum[l] = 0;
-    for (l = 0; l < bands; l++) b_total[l] = 0;
+    for (k = 0; k < (gradient ? 4 : 1); k++) sum[k * bands] = 0;
     for (i = 0; i < sides; i++) {
         const edge *e = &edges[i];
-        const real a = dot3(omega, e->w), b = dot3(omega, e->lambda), c = dot3(omega, e->mu);
-        const real z = a * e->c + b * e->s, up = a * e->s - b * e->c, sag = a * a + b * b - 1;
-        const real ab = e->k0 * a + e->k1 * b;
-        real b1 = e->angle, b2 = 0, d1 = 0, d2 = 0;             /* B_{l-1}, B_{l-2}, D_{l-1}, D_{l-2} */
-        real pz1 = 1, pz2 = 0, pa1 = 1, pa2 = 0;                /* P_{l-1}, P_{l-2} at z and at a */
-        real h1 = 0, h2 = 0, g1 = 0;
-        b_total[0] += c * e->angle;
-        if (gradient) {
-            g1 = e->big_k1 - e->big_k0;
-            for (k = 0; k < 3; k++) sum[(k + 1) * bands] += e->mu[k] * g1;
-        }
-        for (l = 1; l < bands; l++) {
-            const real inverse = 1 / C(l), odd = C(2 * l - 1);
-            const real cl = inverse * (up * pz1 + b * pa1 + sag * d1 + C(l - 1) * b2);      /* Eq. 31 */
-            const real bl = odd * inverse * cl - C(l - 1) * inverse * b2;                   /* Eq. 30 */
-            const real dl = odd * b1 + d2;                                                  /* Eq. 32 */
-            const real pz = (odd * z * pz1 - C(l - 1) * pz2) * inverse;
-            const real pa = (odd * a * pa1 - C(l - 1) * pa2) * inverse;
-            b_total[l] += c * bl;
-            if (gradient) {
-                const real gl = (pz * e->big_k1 - pa * e->big_k0 + ab * dl - h1) / C(l + 1);
-                const real hl = h2 + odd * g1;
-                for (k = 0; k < 3; k++) sum[(k + 1) * bands + l] += e->mu[k] * gl;
-                h2 = h1;
-                h1 = hl;
-                g1 = gl;
-            }
-            b2 = b1; b1 = bl;
-            d2 = d1; d1 = dl;
-            pz2 = pz1; pz1 = pz;
-            pa2 = pa1; pa1 = pa;
-        }
+        a[i] = dot3(omega, e->w);
+        b[i] = dot3(omega, e->lambda);
+        c[i] = dot3(omega, e->mu);
+        up[i] = a[i] * e->s - b[i] * e->c;
+        sag[i] = a[i] * a[i] + b[i] * b[i] - 1;
+        ab[i] = e->k0 * a[i] + e->k1 * b[i];
+        b1[i] = e->angle;                                       /* B_{l-1}, B_{l-2}, D_{l-1}, D_{l-2} */
+        b2[i] = d1[i] = d2[i] = h1[i] = h2[i] = p1[i] = 0;
+        p[i] = 1;                                               /* P_{l-1}, P_{l-2} */
+        g1[i] = e->big_k1 - e->big_k0;
+        total1 += c[i] * e->angle;
+        for (k = 0; k < 3 && gradient; k++) sum[(k + 1) * bands] += e->mu[k] * g1[i];
     }
     sum[0] = s0;
-    if (bands > 1) sum[1] = C(0.5) * b_total[0];
-    for (l = 2; l < bands; l++)                                 /* Eq. 29 */
-        sum[l] = (C(2 * l - 1) * b_total[l - 1] + C((l - 2) * (l - 1)) * sum[l - 2]) / C(l * (l + 1));
+    for (l = 1; l < bands; l++) {
+        const real odd = C(2 * l - 1), next_p = odd * inverse[l], next_p1 = C(l - 1) * inverse[l];
+        real total = 0, g[3] = { 0, 0, 0 }, q[M];
+        for (i = 0; i < sides; i++) q[i] = next_p * (a[i] * p[i]) - next_p1 * p1[i];
+        for (i = 0; i < sides; i++) {
+            const int j = i + 1 < sides ? i + 1 : 0;
+            const edge *e = &edges[i];
+            const real cl = up[i] * p[j] + b[i] * p[i] + sag[i] * d1[i] + C(l - 1) * b2[i];     /* l times Eq. 31 */
+            const real bl = next_p * inverse[l] * cl - next_p1 * b2[i];                         /* Eq. 30 */
+            const real dl = odd * b1[i] + d2[i];                                                /* Eq. 32 */
+            total += c[i] * bl;
+            if (gradient) {
+                const real gl = (q[j] * e->big_k1 - q[i] * e->big_k0 + ab[i] * dl - h1[i]) * inverse[l + 1];
+                const real hl = h2[i] + odd * g1[i];
+                for (k = 0; k < 3; k++) g[k] += e->mu[k] * gl;
+                h2[i] = h1[i]; h1[i] = hl;
+                g1[i] = gl;
+            }
+            b2[i] = b1[i]; b1[i] = bl;
+            d2[i] = d1[i]; d1[i] = dl;
+        }
+        for (i = 0; i < sides; i++) {
+            p1[i] = p[i];
+            p[i] = q[i];
+        }
+        sum[l] = l == 1 ? C(0.5) * total1 :                     /* Eq. 25, 29 */
+            (odd * total1 + C((l - 2) * (l - 1)) * sum[l - 2]) * (inverse[l] * inverse[l + 1]);
+        for (k = 0; k < 3 && gradient; k++) sum[(k + 1) * bands + l] = g[k];
+        total1 = total;
+    }
 }
 
 /* The same by integrals of z^k, then O(n) of them combined for each P_l. */
 INLINE void monomial_lobe(const int bands, const int gradient, const int sides, const edge *edges, const real omega[3],
                           const real s0, const real *legendre, real *RESTRICT sum)
 {
-    real boundary[POLYGON_MAX_BANDS], t[4][POLYGON_MAX_BANDS];
+    enum { M = POLYGON_MAX_SIDES };
+    real a[M], c[M], d0[M], d1[M], aabb[M], ab[M], i1[M], i2[M], zk[M], t[4][POLYGON_MAX_BANDS], total1 = 0;
     int l, i, k, axis;
-    for (l = 0; l < bands; l++) boundary[l] = t[0][l] = t[1][l] = t[2][l] = t[3][l] = 0;
+    for (axis = 0; axis < 4; axis++) t[axis][0] = 0;
     for (i = 0; i < sides; i++) {
         const edge *e = &edges[i];
-        const real a = dot3(omega, e->w), b = dot3(omega, e->lambda), c = dot3(omega, e->mu);
-        const real z = a * e->c + b * e->s, d0 = b, d1 = b * e->c - a * e->s, aabb = a * a + b * b;
-        const real ab = e->k0 * a + e->k1 * b;
-        real i1 = e->angle, i2 = 0, z0k = 1, z1k = 1;           /* integrals of z^{k-1}, z^{k-2}; powers k-1 at the ends */
-        boundary[0] += c * e->angle;
-        if (gradient)
-            for (axis = 0; axis < 3; axis++) t[axis + 1][0] += e->mu[axis] * (e->big_k1 - e->big_k0);
-        for (k = 1; k < bands; k++) {
-            const real ik = (d0 * z0k - d1 * z1k + C(k - 1) * aabb * i2) / C(k);
-            z0k *= a;
-            z1k *= z;
-            boundary[k] += c * ik;
-            if (gradient) {
-                const real jk = (z1k * e->big_k1 - z0k * e->big_k0 + C(k) * ab * i1) / C(k + 1);
-                for (axis = 0; axis < 3; axis++) t[axis + 1][k] += e->mu[axis] * jk;
-            }
-            i2 = i1;
-            i1 = ik;
-        }
+        const real b = dot3(omega, e->lambda);
+        a[i] = dot3(omega, e->w);
+        c[i] = dot3(omega, e->mu);
+        d0[i] = b;
+        d1[i] = b * e->c - a[i] * e->s;
+        aabb[i] = a[i] * a[i] + b * b;
+        ab[i] = e->k0 * a[i] + e->k1 * b;
+        i1[i] = e->angle;                                       /* integrals of z^{k-1}, z^{k-2} */
+        i2[i] = 0;
+        zk[i] = 1;                                              /* z^{k-1} at the vertex */
+        total1 += c[i] * e->angle;
+        for (axis = 0; axis < 3 && gradient; axis++) t[axis + 1][0] += e->mu[axis] * (e->big_k1 - e->big_k0);
     }
     t[0][0] = s0;
-    if (bands > 1) t[0][1] = C(0.5) * boundary[0];
-    for (k = 2; k < bands; k++) t[0][k] = (boundary[k - 1] + C(k - 1) * t[0][k - 2]) / C(k + 1);
+    for (k = 1; k < bands; k++) {
+        real total = 0, g[3] = { 0, 0, 0 }, next[M];
+        for (i = 0; i < sides; i++) next[i] = zk[i] * a[i];
+        for (i = 0; i < sides; i++) {
+            const int j = i + 1 < sides ? i + 1 : 0;
+            const edge *e = &edges[i];
+            const real ik = (d0[i] * zk[i] - d1[i] * zk[j] + C(k - 1) * (aabb[i] * i2[i])) * inverse[k];
+            total += c[i] * ik;
+            if (gradient) {
+                const real jk = (next[j] * e->big_k1 - next[i] * e->big_k0 + C(k) * (ab[i] * i1[i])) * inverse[k + 1];
+                for (axis = 0; axis < 3; axis++) g[axis] += e->mu[axis] * jk;
+            }
+            i2[i] = i1[i];
+            i1[i] = ik;
+        }
+        for (i = 0; i < sides; i++) zk[i] = next[i];
+        t[0][k] = k == 1 ? C(0.5) * total1 : (total1 + C(k - 1) * t[0][k - 2]) * inverse[k + 1];
+        for (axis = 0; axis < 3 && gradient; axis++) t[axis + 1][k] = g[axis];
+        total1 = total;
+    }
     for (axis = 0; axis < (gradient ? 4 : 1); axis++)
         for (l = 0; l < bands; l++) {
             real s = 0;
@@ -157,18 +179,18 @@ INLINE void monomial_lobe(const int bands, const int gradient, const int sides, 
 }
 
 /* Algorithm 1 around either: all lobes, then the sparse rotation. */
-INLINE void polygon_light(const int monomial, const int bands, const int gradient, const polygon_input *in,
-                          const real point[3], real *RESTRICT out)
+INLINE void polygon_light(const int monomial, const int bands, const int gradient, const int sides,
+                          const polygon_input *in, const real point[3], real *RESTRICT out)
 {
     enum { MAX = POLYGON_MAX_BANDS, LOBES = 2 * MAX - 1 };
     const int lobes = 2 * bands - 1, planes = gradient ? 4 : 1;
     edge edges[POLYGON_MAX_SIDES];
     real sums[4 * MAX], by_band[4][MAX][LOBES];
-    const real s0 = prepare(in->sides, gradient, point, in->vertices, edges);
+    const real s0 = prepare(sides, gradient, point, in->vertices, edges);
     int d, l, i, plane;
     for (d = 0; d < lobes; d++) {
-        if (monomial) monomial_lobe(bands, gradient, in->sides, edges, in->lobes + 3 * d, s0, in->legendre, sums);
-        else legendre_lobe(bands, gradient, in->sides, edges, in->lobes + 3 * d, s0, sums);
+        if (monomial) monomial_lobe(bands, gradient, sides, edges, in->lobes + 3 * d, s0, in->legendre, sums);
+        else legendre_lobe(bands, gradient, sides, edges, in->lobes + 3 * d, s0, sums);
         for (plane = 0; plane < planes; plane++)
             for (l = 0; l < bands; l++) by_band[plane][l][d] = sums[plane * bands + l];
     }
@@ -190,9 +212,12 @@ INLINE void polygon_light(const int monomial, const int bands, const int gradien
 
 #define POINT_LOOP(monomial, gradient)                                                                     \
     size_t i;                                                                                              \
-    for (i = 0; i < in->points; i++)                                                                       \
-        polygon_light(monomial, BANDS, gradient, in, in->point + 3 * i,                                    \
-                      in->out + i * (gradient ? 4 : 1) * BANDS * BANDS);
+    for (i = 0; i < in->points; i++) {                                                                     \
+        const real *at = in->point + 3 * i;                                                                \
+        real *out = in->out + i * (gradient ? 4 : 1) * BANDS * BANDS;                                      \
+        if (in->sides == 3 && !monomial) polygon_light(monomial, BANDS, gradient, 3, in, at, out); \
+        else polygon_light(monomial, BANDS, gradient, in->sides, in, at, out);                             \
+    }
 #define ALL_BANDS(monomial, gradient)                                                                      \
     switch (in->bands) {                                                                                   \
     BANDS_CASE(3, POINT_LOOP(monomial, gradient)) BANDS_CASE(5, POINT_LOOP(monomial, gradient))            \
@@ -201,7 +226,7 @@ INLINE void polygon_light(const int monomial, const int bands, const int gradien
     default: break;                                                                                        \
     }
 
-void FORM(polygon_monomial)(const bench_case *self)
+void FN(polygon_monomial)(const bench_case *self)
 {
     const polygon_input *in = self->input;
     if (in->gradient) {
@@ -211,7 +236,7 @@ void FORM(polygon_monomial)(const bench_case *self)
     }
 }
 
-void FORM(polygon_wang_ramamoorthi)(const bench_case *self)
+void FN(polygon_wang_ramamoorthi)(const bench_case *self)
 {
     const polygon_input *in = self->input;
     if (in->gradient) {

@@ -1,19 +1,10 @@
 /* product.c - suite `product`: lighting times the clamped cosine (MP21 Table 2). */
-#include "bench.h"
+#include "product.h"
 
 #include <math.h>
 #include <string.h>
 
 #include "sh_product.h"
-
-enum { VECTORS = 64 };
-
-typedef struct product_input {
-    int bands;
-    size_t n2;
-    const real *coeffs, *normals, *cosine;      /* [VECTORS][n2], [VECTORS][3], zonal [bands] */
-    real *out, *blocks, *normal_blocks, *out_blocks;
-} product_input;
 
 #define PER_VECTOR(name, body)                                                      \
     static void name(const bench_case *self)                                        \
@@ -27,15 +18,14 @@ typedef struct product_input {
         }                                                                           \
     }
 
-/* MP21 Eq. 5: the cosine's zonal coefficients turned to the normal, then the general product. */
-PER_VECTOR(triple, real cosine[256]; FN(sh_zonal_rotate)(in->bands, in->cosine, normal, cosine);
-           FN(sh_triple_product)(in->bands, cosine, c, out);)
-/* Eq. 10 with all bands of the cosine, and with three. */
-PER_VECTOR(zonal, FN(sh_cosine_product_zonal)(in->bands, in->bands, normal, c, out);)
-PER_VECTOR(zonal3, FN(sh_cosine_product_zonal)(in->bands, 3, normal, c, out);)
 /* Eq. 11 in the frame of the normal, and with the rotation there and back. */
 PER_VECTOR(world, (void)normal; FN(sh_cosine_product_local)(in->bands, c, out);)
 PER_VECTOR(world_rotated, FN(sh_cosine_product)(in->bands, normal, c, out);)
+/* This library's general product, by quadrature, and its Eq. 10. */
+PER_VECTOR(library_triple, real cosine[256]; FN(sh_zonal_rotate)(in->bands, in->cosine, normal, cosine);
+           FN(sh_triple_product)(in->bands, cosine, c, out);)
+PER_VECTOR(library_zonal, FN(sh_cosine_product_zonal)(in->bands, in->bands, normal, c, out);)
+PER_VECTOR(library_zonal3, FN(sh_cosine_product_zonal)(in->bands, 3, normal, c, out);)
 
 static void world_n(const bench_case *self)
 {
@@ -55,18 +45,89 @@ static void world_rotated_blocks(const bench_case *self)
     FN(sh_cosine_product_blocks)(in->bands, VECTORS / 8, in->normal_blocks, in->blocks, in->out_blocks);
 }
 
-static void triple_n(const bench_case *self)
+/* ---- Gaunt coefficients for the baselines, by Gauss-Legendre in z and equal steps in phi ---- */
+
+enum { MAX_BANDS = 9, MAX_N2 = MAX_BANDS * MAX_BANDS, Z_NODES = 13, PHI_NODES = 25, NODES = Z_NODES * PHI_NODES };
+
+static void gauss_legendre(double z[Z_NODES], double w[Z_NODES])
 {
-    const product_input *in = self->input;
-    real *cosines = in->out_blocks;
-    size_t i;
-    for (i = 0; i < VECTORS; i++)
-        FN(sh_zonal_rotate)(in->bands, in->cosine, in->normals + 3 * i, cosines + i * in->n2);
-    FN(sh_triple_product_n)(in->bands, VECTORS, cosines, in->coeffs, in->out);
+    int i, k, step;
+    for (i = 0; i < Z_NODES; i++) {
+        double x = cos(3.141592653589793 * (i + 0.75) / (Z_NODES + 0.5)), slope = 0;
+        for (step = 0; step < 20; step++) {
+            double p0 = 1, p1 = x;
+            for (k = 2; k <= Z_NODES; k++) {
+                const double p2 = ((2 * k - 1) * x * p1 - (k - 1) * p0) / k;
+                p0 = p1;
+                p1 = p2;
+            }
+            slope = Z_NODES * (x * p1 - p0) / (x * x - 1);
+            x -= p1 / slope;
+        }
+        z[i] = x;
+        w[i] = 2 / ((1 - x * x) * slope * slope);
+    }
 }
 
-/* check: cases that compute the same thing are compared; `world` does not (its normal is +z), nor does a cut cosine. */
-static void add(const product_input *in, const char *impl, void (*run)(const bench_case *), int check)
+static void start_table(gaunt_table *g, size_t n2, size_t most)
+{
+    g->start = bench_alloc(n2 + 1, sizeof *g->start);
+    g->pair = bench_alloc(most, sizeof *g->pair);
+    g->c = bench_alloc(most, sizeof *g->c);
+}
+
+static void put(gaunt_table *g, int *at, int i, int j, double c)
+{
+    g->pair[*at][0] = (unsigned char)i;
+    g->pair[*at][1] = (unsigned char)j;
+    g->c[(*at)++] = C(c);
+}
+
+static void make_tables(product_input *in)
+{
+    static double y[MAX_N2][NODES], yy[NODES];
+    double z[Z_NODES], w[Z_NODES], column[256];
+    const int n2 = (int)in->n2;
+    int i, j, k, q, general = 0, zonal = 0, zonal3 = 0;
+    gauss_legendre(z, w);
+    for (q = 0; q < NODES; q++) {
+        const double r = sqrt(1 - z[q / PHI_NODES] * z[q / PHI_NODES]), p = 6.283185307179586 * (q % PHI_NODES) / PHI_NODES;
+        const double dir[3] = { r * cos(p), r * sin(p), z[q / PHI_NODES] };
+        sh_eval_f64(in->bands, dir, column);
+        for (i = 0; i < n2; i++) y[i][q] = column[i];
+    }
+    start_table(&in->general, in->n2, 12200);           /* 9 bands: 23621 terms, a little more than half of them kept */
+    start_table(&in->zonal, in->n2, 24000);
+    start_table(&in->zonal3, in->n2, 24000);
+    for (k = 0; k < n2; k++) {
+        in->general.start[k] = general;
+        in->zonal.start[k] = zonal;
+        in->zonal3.start[k] = zonal3;
+        for (i = 0; i < n2; i++) {
+            for (q = 0; q < NODES; q++) yy[q] = y[i][q] * y[k][q] * w[q / PHI_NODES] * (6.283185307179586 / PHI_NODES);
+            for (j = 0; j < n2; j++) {
+                const int l = j < 1 ? 0 : j < 4 ? 1 : j < 9 ? 2 : (int)sqrt(j + 0.5);
+                const double f = (double)in->cosine[l] * sqrt(12.566370614359172 / (2 * l + 1));
+                double c = 0;
+                for (q = 0; q < NODES; q++) c += yy[q] * y[j][q];
+                if (fabs(c) < 1e-10) continue;
+                if (i <= j) put(&in->general, &general, i, j, i == j ? c / 2 : c);
+                if (fabs(f) < 1e-6) continue;
+                put(&in->zonal, &zonal, i, j, c * f);
+                if (l < 3) put(&in->zonal3, &zonal3, i, j, c * f);
+            }
+        }
+    }
+    in->general.start[n2] = general;
+    in->zonal.start[n2] = zonal;
+    in->zonal3.start[n2] = zonal3;
+}
+
+/* ---- registration ---- */
+
+/* Cases of one group compute the same and are compared: 1 the whole cosine's bands, 2 three of them, 0 nothing here
+ * (Eq. 11 keeps what a cut cosine loses). */
+static void add(const product_input *in, const char *impl, void (*run)(const bench_case *), int group)
 {
     bench_case c;
     memset(&c, 0, sizeof c);
@@ -78,7 +139,8 @@ static void add(const product_input *in, const char *impl, void (*run)(const ben
     c.input = in;
     c.held = VECTORS;
     c.lanes = !strcmp(impl, "world_rotated_blocks") ? 8 : 1;
-    c.tolerance = check ? 200 * REAL_EPS : 0;
+    c.tolerance = group ? 200 * REAL_EPS : 0;
+    c.group = group;
     c.out[0].data = c.lanes == 8 ? in->out_blocks : in->out;
     c.out[0].numbers = in->n2;
     bench_add(&c);
@@ -117,12 +179,15 @@ void FN(bench_product)(void)
         in->coeffs = coeffs;
         in->normals = normals;
         in->cosine = cosine;
-        add(in, "triple", triple, 1);
-        add(in, "zonal", zonal, 1);
-        add(in, "zonal3", zonal3, 0);
+        make_tables(in);
+        add(in, "library_triple", library_triple, 1);
+        add(in, "triple", FN(product_triple), 1);
+        add(in, "library_zonal", library_zonal, 1);
+        add(in, "zonal", FN(product_zonal), 1);
+        add(in, "library_zonal3", library_zonal3, 2);
+        add(in, "zonal3", FN(product_zonal3), 2);
         add(in, "world", world, 0);
         add(in, "world_rotated", world_rotated, 0);
-        add(in, "triple_n", triple_n, 1);
         add(in, "world_n", world_n, 0);
         add(in, "world_rotated_n", world_rotated_n, 0);
         add(in, "world_rotated_blocks", world_rotated_blocks, 0);

@@ -3,9 +3,11 @@
 BENCH_DIR     := $(BUILD)/bench/$(shell printf '%s' '$(CC) $(CFLAGS)' | cksum | cut -d' ' -f1)
 BENCH_CSV     ?= $(BUILD)/bench.csv
 BENCH_SUITES  := basis stream lights polygon product interp
-BENCH_FORMS   := basis_forms lights_forms polygon_forms
+BENCH_FORMS   := basis_forms lights_forms polygon_forms product_forms
+BENCH_AUTO    := basis_forms lights_forms
 BENCH_OBJECTS := $(addprefix $(BENCH_DIR)/,harness.o main.o targets.o floor.o \
-                   $(foreach p,f32 f64,$(BENCH_SUITES:%=%_$(p).o) $(BENCH_FORMS:%=%_$(p).o) $(BENCH_FORMS:%=%_auto_$(p).o)))
+                   $(foreach p,f32 f64,$(BENCH_SUITES:%=%_$(p).o) \
+                     $(BENCH_FORMS:%=%_$(p).o) $(BENCH_AUTO:%=%_auto_$(p).o)))
 # Optional parts, looked for when the bench is built: GSL and Boost as further impls, OpenMP for all threads.
 BENCH_GSL     = $(shell pkg-config --exists gsl 2>/dev/null && echo -DBENCH_GSL)
 BENCH_BOOST   = $(shell echo '\#include <boost/math/special_functions/spherical_harmonic.hpp>' | \
@@ -14,7 +16,9 @@ BENCH_OPENMP  = $(shell echo 'int main(void) { return 0; }' | $(CC) -fopenmp -x 
 BENCH_COMPILE = $(CC) $(CPPFLAGS) $(CFLAGS) $(WARN) -Ibench
 # The published forms are scalar code; *_auto is the same file as the compiler likes it.
 BENCH_SCALAR  := -fno-tree-vectorize -fno-tree-slp-vectorize
-BENCH_HEADERS := bench/bench.h $(wildcard bench/*.h) $(HEADERS)
+# What includes no header of the library is not rebuilt when one changes.
+BENCH_OWN     := $(wildcard bench/*.h)
+BENCH_HEADERS  = $(BENCH_OWN) $(HEADERS)
 
 .PHONY: bench-check bench-program check-bench-tables performance-doc
 
@@ -26,13 +30,13 @@ $(BENCH_DIR)/%_f32.o: bench/%.c $(BENCH_HEADERS) | $(BENCH_DIR)
 	$(BENCH_COMPILE) -DBENCH_PRECISION=32 $(BENCH_GSL) $(BENCH_BOOST) $(BENCH_OPENMP) -c -o $@ $<
 $(BENCH_DIR)/%_f64.o: bench/%.c $(BENCH_HEADERS) | $(BENCH_DIR)
 	$(BENCH_COMPILE) -DBENCH_PRECISION=64 $(BENCH_GSL) $(BENCH_BOOST) $(BENCH_OPENMP) -c -o $@ $<
-$(BENCH_DIR)/%_forms_f32.o: bench/%_forms.c $(wildcard bench/*.h) | $(BENCH_DIR)
+$(BENCH_DIR)/%_forms_f32.o: bench/%_forms.c $(BENCH_OWN) | $(BENCH_DIR)
 	$(BENCH_COMPILE) $(BENCH_SCALAR) -DBENCH_PRECISION=32 -c -o $@ $<
-$(BENCH_DIR)/%_forms_f64.o: bench/%_forms.c $(wildcard bench/*.h) | $(BENCH_DIR)
+$(BENCH_DIR)/%_forms_f64.o: bench/%_forms.c $(BENCH_OWN) | $(BENCH_DIR)
 	$(BENCH_COMPILE) $(BENCH_SCALAR) -DBENCH_PRECISION=64 -c -o $@ $<
-$(BENCH_DIR)/%_forms_auto_f32.o: bench/%_forms.c $(wildcard bench/*.h) | $(BENCH_DIR)
+$(BENCH_DIR)/%_forms_auto_f32.o: bench/%_forms.c $(BENCH_OWN) | $(BENCH_DIR)
 	$(BENCH_COMPILE) -DBENCH_AUTO -DBENCH_PRECISION=32 -c -o $@ $<
-$(BENCH_DIR)/%_forms_auto_f64.o: bench/%_forms.c $(wildcard bench/*.h) | $(BENCH_DIR)
+$(BENCH_DIR)/%_forms_auto_f64.o: bench/%_forms.c $(BENCH_OWN) | $(BENCH_DIR)
 	$(BENCH_COMPILE) -DBENCH_AUTO -DBENCH_PRECISION=64 -c -o $@ $<
 $(BENCH_DIR)/boost.o: bench/boost.cpp | $(BENCH_DIR)
 	$(CXX) -O3 -c -o $@ $<
