@@ -1,52 +1,57 @@
-/* sh_interp.h - lighting anywhere from coefficients and gradients at grid nodes or scattered samples
+/* sh_interp.h - lighting anywhere, from coefficients and gradients at grid nodes or scattered samples
  *
  * USE
  *     #include "sh_interp.h"        needs sh_gradient.h beside it, nothing else
  *
- *     sh_grid_f32 grid = { { 0, 0, 0 }, { .5f, .5f, .5f }, { 8, 8, 8 } };        origin, cell, nodes per axis
- *     sh_spheres_grid_f32(5, SH_GRADIENT, 3, &grid, 0, 512, lights, spheres, radiance, nodes);
+ *     sh_grid_f32 grid = { { 0, 0, 0 }, { .5f, .5f, .5f }, { 8, 8, 8 } };      origin, cell, nodes per axis
+ *     sh_spheres_grid_f32(5, SH_GRADIENT, 3, &grid, 0, 512, count, spheres, radiance, nodes);
  *     sh_grid_interp_f32(5, SH_GRADIENT, 3, &grid, nodes, SH_EDGE_HERMITE, SH_CLAMP, point, coeffs);
  *
  * DATA
- *     A node's block is [channels][planes][n*n]: per channel the value (planes SH_VALUES = 1), then d/dx, d/dy,
- *     d/dz (SH_GRADIENT = 4), then xx, xy, xz, yy, yz, zz (SH_HESSIAN = 10). Node (i, j, k) of a grid stands at
- *     origin + (i, j, k) * cell and is number i + count[0] * (j + count[1] * k): x fastest.
- *     Any field will do, whatever made it: sphere lights, polygons, cube maps, the sum of them.
+ *     A node's block is [channels][planes][N]: per channel the value (planes SH_VALUES = 1), then d/dx, d/dy, d/dz
+ *     (SH_GRADIENT = 4), then xx, xy, xz, yy, yz, zz (SH_HESSIAN = 10). Node (i, j, k) stands at
+ *     origin + (i, j, k) cell and is number i + count[0] (j + count[1] k): x fastest.
+ *     Any field will do, whatever made it: sphere lights, polygons, cube maps, their sum.
  *
- * SCHEMES      planes  order  smooth  reproduces x^a y^b z^c with                        reads
- *     SH_TRILINEAR     1   h^2   C0   a, b, c <= 1                                         8
- *     SH_HALF_TAYLOR   4   h^3   C0   at most one of a, b, c = 2, the others <= 1         32
- *     SH_BLENDED_TAYLOR 4  h^2   C0   a, b, c <= 1                                        32
- *     SH_HERMITE_ZERO  4   h^2   C1   at most one of a, b, c > 0, and that <= 3           32
- *     SH_HERMITE_MIXED 4   h^4   C1   at most one = 3, the others <= 2 (inner cells)     160
- *     SH_EDGE_HERMITE  4   h^4   C0   at most one of a, b, c > 1, and that <= 3           32
- *     SH_BLENDED_TAYLOR2 10 h^4  C0   a + b + c <= 3, and x^a y^b z^c with a, b, c <= 1   80
- *     Reads: planes of n*n numbers fetched per query and channel; the cost is theirs.
- *     SH_EDGE_HERMITE is the one to use: the best that values and gradients of one cell can give.
+ * SCHEMES           planes error smooth reads  reproduces x^a y^b z^c with
+ *     SH_TRILINEAR       1  h^2    C0      8   a, b, c <= 1
+ *     SH_HALF_TAYLOR     4  h^3    C0     32   at most one of a, b, c above 1, and that 2
+ *     SH_BLENDED_TAYLOR  4  h^2    C0     32   a, b, c <= 1; A04's Eq. 15 with the cell's weights
+ *     SH_HERMITE_ZERO    4  h^2    C1     32   at most one of a, b, c above 0, and that <= 3; the papers' Hermite
+ *     SH_HERMITE_MIXED   4  h^4    C1    160   at most one above 2, and that 3; next to a border as SH_EDGE_HERMITE
+ *     SH_EDGE_HERMITE    4  h^4    C0     32   at most one of a, b, c above 1, and that <= 3
+ *     SH_BLENDED_TAYLOR2 10 h^4    C0     80   the same
+ *     h is the cell; reads are planes of N numbers per query and channel, and the cost is theirs.
+ *     SH_EDGE_HERMITE is the one to use: its 32 data per cell determine exactly its 32 monomials, all cubics among
+ *     them, and 12 of degree 4 and 5. SH_HERMITE_MIXED has half its error far from lights, at 6 times its cost.
  *     Within about a cell of a light no scheme is good: evaluate such a light at the point itself.
  *
  * HOW
- *     Every scheme is linear in the data, so a query is a list of (number of the data, weight), and one kernel adds
- *     up n*n coefficients of such a list. Weights are products of weights along the axes: with L, H the linear and
- *     the smoothstep weights of a cell's two ends, P the cubic from values and slopes,
- *         f = Qx Qy Qz f + (Px - Qx) Qy Qz f + Qx (Py - Qy) Qz f + Qx Qy (Pz - Qz) f
- *     is edge Hermite with Q = L; the papers' tensor Hermite with zero mixed derivatives with Q = H; and with
- *     Q = the cubic whose slopes are grid differences, the tensor Hermite whose mixed derivatives are
- *     f_xy = Dx f_y + Dy f_x - Dx Dy f, whose error is the product of the two differences' errors. The Taylor
- *     schemes have Q = L and P - Q = c times the weighted slope: c = 1/2, 1, and 2/3 with 1/6 of the Hessian.
+ *     Every scheme is linear in the data, so a query is a list of (where, weight), and one kernel sums N
+ *     coefficients of such a list. The weights are products of weights along the axes. Let L be the linear weights
+ *     of a cell's two ends, H the smoothstep ones, P the cubic from values and slopes. Then
+ *         Qx Qy Qz + (Px - Qx) Qy Qz + Qx (Py - Qy) Qz + Qx Qy (Pz - Qz)
+ *     is edge Hermite with Q = L; the tensor Hermite without mixed derivatives with Q = H; and with Q = the cubic
+ *     whose slopes are grid differences D, the tensor Hermite whose mixed derivatives are
+ *         f_xy = Dx f_y + Dy f_x - Dx Dy f        f_xyz = Dx Dy f_z + Dx Dz f_y + Dy Dz f_x - 2 Dx Dy Dz f
+ *     whose error is the product of two differences' errors. The Taylor schemes have Q = L and P - Q = c times the
+ *     slopes' share of the series, c = 1/2 or 1, and 2/3 with 1/6 of the Hessian's.
  *
  * FUNCTIONS (each _f32 and _f64)
- *     sh_grid_interp       sh_grid_interp_n       coefficients at a point, at many points
- *     sh_grid_dot          sh_grid_dot_n          their dot product with a transfer vector, never stored
- *     sh_sample_taylor                            Taylor extrapolation from one sample (A04 Eq. 14)
- *     sh_samples_blend                            inverse-distance blend of several (A04 Eq. 15-16), exact at a sample
+ *     sh_grid_interp, _n          coefficients at a point, at many points
+ *     sh_grid_gradient, _n        and the interpolant's derivatives
+ *     sh_grid_dot, _n             their dot product with a transfer vector, coefficients never stored
+ *     sh_sample_taylor            Taylor series of one sample
+ *     sh_samples_blend            inverse-distance blend of several, finite and exact at a sample
+ *
+ * STATUS as in sh_gradient.h
  *
  * CONFIG (define before the first include)
- *     SH_INTERP_FILENAME   the name this file has in your tree  ["sh_interp.h"]
+ *     SH_INTERP_FILENAME          the name this file has in your tree     ["sh_interp.h"]
  *
  * SOURCES
- *     A04  Annen et al. 2004, Spherical Harmonic Gradients for Mid-Range Illumination
- *     M22  Mezieres et al. 2022, whose grids are read here with tensor Hermite (after Wu et al. 2020)
+ *     A04   Annen et al. 2004, spherical harmonic gradients for mid-range illumination
+ *     M22   Mezieres et al. 2022, whose grid this reads (their Hermite is that of Wu et al. 2020)
  */
 #if !defined(SHI_ROOM)
 #ifndef SH_INTERP_H
@@ -61,19 +66,18 @@
 #endif
 
 enum sh_scheme {
-    SH_TRILINEAR, SH_HALF_TAYLOR, SH_BLENDED_TAYLOR, SH_HERMITE_ZERO, SH_HERMITE_MIXED, SH_EDGE_HERMITE,
-    SH_BLENDED_TAYLOR2
+    SH_TRILINEAR, SH_HALF_TAYLOR, SH_BLENDED_TAYLOR, SH_HERMITE_ZERO, SH_HERMITE_MIXED, SH_EDGE_HERMITE, SH_BLENDED_TAYLOR2
 };
 enum sh_outside { SH_CLAMP, SH_EXTRAPOLATE };
 
-#define SHI_TERMS      160          /* longest list of a query: SH_HERMITE_MIXED, 64 values and 3 * 32 slopes */
+#define SHI_TERMS      160          /* longest list: SH_HERMITE_MIXED, 64 values and 3 * 32 slopes */
 #define SHI_AXIS_NODES (1 << 24)    /* beyond it a float has no place left inside a cell */
 #define SHI_REACH      1024         /* cells an extrapolated query may leave the grid by; clamped there */
 
 /* One scheme on one grid: which numbers of the data a query takes, relative to its cell's first node. */
 typedef struct {
-    int scheme, taps[3];        /* nodes taken along an axis: 1 (axis of one node), 2, 4 (with the cell's neighbours) */
-    int neighbours;             /* which of the cell's neighbours exist, for taps of 4: bit 2a below, 2a + 1 above */
+    int scheme, taps[3];        /* nodes along an axis: 1 (it has no other), 2, 4 (with the cell's neighbours) */
+    int neighbours;             /* which of these exist, for taps of 4: bit 2a below, bit 2a + 1 above */
     size_t step[3];             /* numbers from one node to the next */
     size_t n, terms;            /* coefficients; length of the list, a multiple of 4 */
     ptrdiff_t offset[SHI_TERMS];
@@ -91,7 +95,8 @@ SHI_INLINE int shi_is_end(int taps, int tap) { return taps < 4 || tap == 1 || ta
 
 /* The offsets, in the order in which the kernel below writes the weights. A neighbour that does not exist has
  * weight 0 and the offset of the cell's end. */
-SHI_KERNEL size_t shi_stencil_list(int planes, int tx, int ty, int tz, ptrdiff_t n, ptrdiff_t at[3][4], ptrdiff_t *offset)
+SHI_KERNEL size_t shi_stencil_list(int planes, int tx, int ty, int tz, ptrdiff_t n, ptrdiff_t at[3][4],
+                                   ptrdiff_t *offset)
 {
     size_t k = 0;
     int x, y, z, p;
@@ -137,14 +142,14 @@ SHI_INLINE void shi_stencil_offsets(shi_stencil *s)
 
 #endif /* SH_INTERP_H */
 
-#elif SHI_ROOM == SHI_KERNELS && (SHI_LANES == 1 || defined(SHI_MANY_LANES)) /* ------------------------------- */
+#elif SHI_ROOM == SHI_KERNELS && (SHI_LANES == 1 || defined(SHI_MANY_LANES)) /* -------------------------------- */
 
-/* Weights of the nodes along one axis, lanes are queries: q of the value, d = p - q of the value where the axis has
- * its own cubic, s of the slope, e of the second derivative. t is the place in the cell, h the cell's size. With
- * `rate` = 1/h in place of NULL, the derivative of all four by the coordinate: they are linear in six polynomials of t.
+/* Weights of the nodes along one axis, lanes are queries: q and d of the value, Q and P - Q above; s of the slope,
+ * e of the second derivative. t is the place in the cell, h the cell. They are linear in six polynomials of t: with
+ * `rate` = 1/h in place of NULL, those are replaced by their derivatives, and so are the weights.
  * lower, upper: 1/2 where the neighbour exists and 0 where not. */
-SHI_KERNEL void SHI_KN(shi_axis)(int scheme, int taps, SHI_T h, const SHI_T *tp, const SHI_T *rate, const SHI_T *lower,
-                                 const SHI_T *upper, SHI_V *q, SHI_V *d, SHI_V *s, SHI_V *e)
+SHI_KERNEL void SHI_KN(shi_axis)(int scheme, int taps, SHI_T h, const SHI_T *tp, const SHI_T *rate,
+                                 const SHI_T *lower, const SHI_T *upper, SHI_V *q, SHI_V *d, SHI_V *s, SHI_V *e)
 {
     const SHI_V t = SHI_LOAD(tp), u = SHI_C(1) - t, zero = SHI_SPLAT(SHI_C(0));
     SHI_V l0 = u, l1 = t, b = t * u, bt = b * t, bu = b * u, skew = b * (u - t);
@@ -180,7 +185,7 @@ SHI_KERNEL void SHI_KN(shi_axis)(int scheme, int taps, SHI_T h, const SHI_T *tp,
         }
         s[0] = h * bu;
         s[1] = -(h * bt);
-    } else {    /* slopes by differences: (1 - g) f1 - (1 - 2g) f0 - g f-1, central with g = 1/2, one-sided with 0 */
+    } else {    /* Q's slopes: (1 - g) f1 - (1 - 2g) f0 - g f-1, central with g = 1/2, one-sided with 0 */
         const SHI_V g = SHI_LOAD(lower), k = SHI_LOAD(upper);
         d[0] = g * bu;
         d[1] = (SHI_C(1) - SHI_C(2) * g) * bu - (SHI_C(1) - k) * bt;
@@ -199,10 +204,12 @@ SHI_KERNEL void SHI_KN(shi_axis)(int scheme, int taps, SHI_T h, const SHI_T *tp,
 typedef struct { SHI_V q[3][4], d[3][4], s[3][4], e[3][4]; } SHI_KN(shi_axes);
 
 /* A node's weights, for the planes its scheme reads; returns where the next node's go. */
-SHI_KERNEL SHI_T *SHI_KN(shi_node)(const SHI_KN(shi_axes) *v, int planes, const int *taps, int x, int y, int z, SHI_T *w)
+SHI_KERNEL SHI_T *SHI_KN(shi_node)(const SHI_KN(shi_axes) *v, int planes, const int *taps, int x, int y, int z,
+                                   SHI_T *w)
 {
-    const SHI_V qx = v->q[0][x], sx = v->s[0][x], qy = v->q[1][y], sy = v->s[1][y], qz = v->q[2][z], sz = v->s[2][z];
-    const SHI_V qq = qy * qz, c = SHI_SPLAT(SHI_C(0.75));      /* of s s, for 1/3 of d d */
+    const SHI_V qx = v->q[0][x], qy = v->q[1][y], qz = v->q[2][z], qq = qy * qz;
+    const SHI_V sx = v->s[0][x], sy = v->s[1][y], sz = v->s[2][z];
+    const SHI_V c = SHI_SPLAT(SHI_C(0.75));         /* of s s: 1/6 of the Hessian's twice xy from 2/3 of slopes */
 
     SHI_STORE(w, qx * (qq + (v->d[1][y] * qz + qy * v->d[2][z])) + v->d[0][x] * qq); w += SH_BLOCK;
     if (planes == 1) return w;
@@ -219,9 +226,10 @@ SHI_KERNEL SHI_T *SHI_KN(shi_node)(const SHI_KN(shi_axes) *v, int planes, const 
     return w + 6 * SH_BLOCK;
 }
 
-/* The three axes of one vector of queries: t, rate [3][SH_BLOCK], half [3][2][SH_BLOCK]; along = 0, 1, 2: that axis' derivative. */
-SHI_KERNEL void SHI_KN(shi_three)(int scheme, const int *taps, int along, const SHI_T *h, const SHI_T *t, const SHI_T *rate,
-                                  const SHI_T *half, SHI_KN(shi_axes) *v)
+/* The three axes of one vector of queries: t, rate [3][SH_BLOCK], half [3][2][SH_BLOCK]; along = 0, 1, 2: with the
+ * derivative of that axis. */
+SHI_KERNEL void SHI_KN(shi_three)(int scheme, const int *taps, int along, const SHI_T *h, const SHI_T *t,
+                                  const SHI_T *rate, const SHI_T *half, SHI_KN(shi_axes) *v)
 {
     int a;
     SHI_UNROLL for (a = 0; a < 3; a++)
@@ -230,8 +238,8 @@ SHI_KERNEL void SHI_KN(shi_three)(int scheme, const int *taps, int along, const 
 }
 
 /* Weights of SH_BLOCK queries, w[terms][SH_BLOCK]: of the value, or of its derivative by coordinate `along`. */
-SHI_INLINE void SHI_KN(shi_weights)(const shi_stencil *s, int along, const SHI_T *h, const SHI_T *t, const SHI_T *rate,
-                                    const SHI_T *half, SHI_T *w)
+SHI_INLINE void SHI_KN(shi_weights)(const shi_stencil *s, int along, const SHI_T *h, const SHI_T *t,
+                                    const SHI_T *rate, const SHI_T *half, SHI_T *w)
 {
     const int planes = shi_scheme_planes(s->scheme), *taps = s->taps, two[3] = { 2, 2, 2 };
     const int usual = planes == 4 && taps[0] == 2 && taps[1] == 2 && taps[2] == 2;
@@ -259,13 +267,13 @@ SHI_INLINE void SHI_KN(shi_weights)(const shi_stencil *s, int along, const SHI_T
     }
 }
 
-/* Where the v-th of some vectors of coefficients is: side by side but the last, which may overlap the one before it (the same
- * numbers again), so that nothing beyond the n coefficients is touched. */
+/* Where the v-th of some vectors of coefficients is: side by side but the last, which may overlap the one before it
+ * (the same numbers again), so that nothing beyond the n coefficients is touched. */
 #define SHI_AT(v) ((v) + 1 < vectors ? (size_t)((v) * SHI_W) : last)
 
 /* sum[v] of the list: weights w[k * SH_BLOCK] times the numbers at from + offset[k]. */
-SHI_KERNEL void SHI_KN(shi_list)(const int vectors, size_t last, size_t terms, const ptrdiff_t *offset, const SHI_T *w,
-                                 const SHI_T *from, SHI_V *sum)
+SHI_KERNEL void SHI_KN(shi_list)(const int vectors, size_t last, size_t terms, const ptrdiff_t *offset,
+                                 const SHI_T *w, const SHI_T *from, SHI_V *sum)
 {
     size_t k;
     int v;
@@ -273,14 +281,16 @@ SHI_KERNEL void SHI_KN(shi_list)(const int vectors, size_t last, size_t terms, c
     SHI_UNROLL for (v = 0; v < vectors; v++) sum[v] = SHI_SPLAT(SHI_C(0));
     for (k = 0; k < terms; k += 4, offset += 4, w += 4 * SH_BLOCK) {
         const SHI_T *a = from + offset[0], *b = from + offset[1], *c = from + offset[2], *d = from + offset[3];
-        const SHI_V wa = SHI_SPLAT(w[0]), wb = SHI_SPLAT(w[SH_BLOCK]), wc = SHI_SPLAT(w[2 * SH_BLOCK]), wd = SHI_SPLAT(w[3 * SH_BLOCK]);
+        const SHI_V wa = SHI_SPLAT(w[0]), wb = SHI_SPLAT(w[SH_BLOCK]);
+        const SHI_V wc = SHI_SPLAT(w[2 * SH_BLOCK]), wd = SHI_SPLAT(w[3 * SH_BLOCK]);
         SHI_UNROLL for (v = 0; v < vectors; v++)
-            sum[v] += wa * SHI_LOAD(a + SHI_AT(v)) + wb * SHI_LOAD(b + SHI_AT(v)) + wc * SHI_LOAD(c + SHI_AT(v)) + wd * SHI_LOAD(d + SHI_AT(v));
+            sum[v] += wa * SHI_LOAD(a + SHI_AT(v)) + wb * SHI_LOAD(b + SHI_AT(v))
+                    + wc * SHI_LOAD(c + SHI_AT(v)) + wd * SHI_LOAD(d + SHI_AT(v));
     }
 }
 
-SHI_KERNEL void SHI_KN(shi_list_store)(const int vectors, size_t last, size_t terms, const ptrdiff_t *offset, const SHI_T *w,
-                                       const SHI_T *from, SHI_T *out)
+SHI_KERNEL void SHI_KN(shi_list_store)(const int vectors, size_t last, size_t terms, const ptrdiff_t *offset,
+                                       const SHI_T *w, const SHI_T *from, SHI_T *out)
 {
     SHI_V sum[8];
     int v;
@@ -289,8 +299,9 @@ SHI_KERNEL void SHI_KN(shi_list_store)(const int vectors, size_t last, size_t te
 }
 
 /* *dot += the sums times the transfer; `tail` is the transfer of the last vector, 0 where it overlaps. */
-SHI_KERNEL void SHI_KN(shi_list_dot)(const int vectors, size_t last, size_t terms, const ptrdiff_t *offset, const SHI_T *w,
-                                     const SHI_T *from, const SHI_T *transfer, const SHI_T *tail, SHI_V *dot)
+SHI_KERNEL void SHI_KN(shi_list_dot)(const int vectors, size_t last, size_t terms, const ptrdiff_t *offset,
+                                     const SHI_T *w, const SHI_T *from, const SHI_T *transfer, const SHI_T *tail,
+                                     SHI_V *dot)
 {
     SHI_V sum[8];
     int v;
@@ -298,14 +309,16 @@ SHI_KERNEL void SHI_KN(shi_list_dot)(const int vectors, size_t last, size_t term
     SHI_UNROLL for (v = 0; v < vectors; v++) *dot += sum[v] * SHI_LOAD(v + 1 < vectors ? transfer + v * SHI_W : tail);
 }
 
-/* n coefficients of the list, up to 8 vectors at a time. Returns 0, with nothing done, if a vector holds more than n. */
+/* n coefficients of the list, up to 8 vectors at a time. 0, with nothing done, if a vector holds more than n. */
 #define SHI_PASS(left) ((left) <= 8 ? (left) : (left) < 16 ? ((left) + 1) / 2 : 8)
 #define SHI_CASES(name, args) switch (now) { \
-    case 1: SHI_KN(name) args(1); break; case 2: SHI_KN(name) args(2); break; case 3: SHI_KN(name) args(3); break; \
-    case 4: SHI_KN(name) args(4); break; case 5: SHI_KN(name) args(5); break; case 6: SHI_KN(name) args(6); break; \
-    case 7: SHI_KN(name) args(7); break; default: SHI_KN(name) args(8); break; }
+    case 1: SHI_KN(name) args(1); break;  case 2: SHI_KN(name) args(2); break; \
+    case 3: SHI_KN(name) args(3); break;  case 4: SHI_KN(name) args(4); break; \
+    case 5: SHI_KN(name) args(5); break;  case 6: SHI_KN(name) args(6); break; \
+    case 7: SHI_KN(name) args(7); break;  default: SHI_KN(name) args(8); break; }
 
-SHI_INLINE int SHI_KN(shi_gather)(size_t n, size_t terms, const ptrdiff_t *offset, const SHI_T *w, const SHI_T *from, SHI_T *out)
+SHI_INLINE int SHI_KN(shi_gather)(size_t n, size_t terms, const ptrdiff_t *offset, const SHI_T *w,
+                                  const SHI_T *from, SHI_T *out)
 {
     const size_t lanes = (size_t)SHI_W;
     size_t left = (n + lanes - 1) / lanes, now;
@@ -321,8 +334,8 @@ SHI_INLINE int SHI_KN(shi_gather)(size_t n, size_t terms, const ptrdiff_t *offse
 }
 
 /* The same, for the dot product with transfer[n]. */
-SHI_INLINE int SHI_KN(shi_gather_dot)(size_t n, size_t terms, const ptrdiff_t *offset, const SHI_T *w, const SHI_T *from,
-                                      const SHI_T *transfer, SHI_T *value)
+SHI_INLINE int SHI_KN(shi_gather_dot)(size_t n, size_t terms, const ptrdiff_t *offset, const SHI_T *w,
+                                      const SHI_T *from, const SHI_T *transfer, SHI_T *value)
 {
     const size_t lanes = (size_t)SHI_W;
     size_t left = (n + lanes - 1) / lanes, now;
@@ -347,49 +360,61 @@ SHI_INLINE int SHI_KN(shi_gather_dot)(size_t n, size_t terms, const ptrdiff_t *o
 #undef SHI_PASS
 #undef SHI_AT
 
-#elif SHI_ROOM == SHI_PUBLIC /* ----------------------------------------------------------------------------- */
+#elif SHI_ROOM == SHI_PUBLIC /* -------------------------------------------------------------------------------- */
+
+/* A call: what, where, and for whom. One form for all of the grid's functions; `transfers` for the fused ones. */
+typedef struct {
+    int bands, planes, channels, scheme, outside, planes_out;
+    const SHI_FN(sh_grid) *grid;
+    const SHI_T *nodes;
+    size_t count;
+    const SHI_T *points, *transfers;
+    SHI_T *out;                 /* [count][channels][planes_out][n], or [count][channels] dot products */
+} SHI_FN(shi_query);
+
+/* An axis as the queries see it: in cells from the origin, a query is clamped to low .. high and lies in cell
+ * 0 .. top. An axis of one node has low = high = top = inverse = 0. */
+typedef struct { SHI_T origin, inverse, low, high, top; } SHI_FN(shi_range);
 
 /* Checks what a grid call is given, O(1), and prepares its stencil. */
-SHI_INLINE int SHI_FN(shi_grid_stencil)(int bands, int planes, int channels, const SHI_FN(sh_grid) *grid, const SHI_T *nodes,
-                                        int scheme, int outside, shi_stencil *s)
+SHI_INLINE int SHI_FN(shi_grid_stencil)(const SHI_FN(shi_query) *c, shi_stencil *s)
 {
-    double numbers;
+    const SHI_FN(sh_grid) *g = c->grid;
+    const int reads = shi_scheme_planes(c->scheme);
+    double bytes;
     int a;
 
-    if (!grid || !nodes) return SH_ERROR_NULL;
-    if (bands < 1 || bands > SH_MAX_BANDS) return SH_ERROR_BANDS;
-    if (channels < 1) return SH_ERROR_COUNT;
-    if (planes != SH_VALUES && planes != SH_GRADIENT && planes != SH_HESSIAN) return SH_ERROR_OPTION;
-    if (!shi_scheme_planes(scheme) || shi_scheme_planes(scheme) > planes) return SH_ERROR_OPTION;
-    if (outside != SH_CLAMP && outside != SH_EXTRAPOLATE) return SH_ERROR_OPTION;
-    s->scheme = scheme;
-    s->n = (size_t)bands * (size_t)bands;
-    numbers = (double)s->n * planes * channels;
-    s->step[0] = s->n * (size_t)planes * (size_t)channels;
-    if (!SHI_FN(shi_finite)(grid->origin, 3) || !SHI_FN(shi_finite)(grid->cell, 3)) return SH_ERROR_NOT_FINITE;
-    for (a = 0; a < 3; a++) {
-        const int count = grid->count[a];
-        const SHI_T cell = grid->cell[a];
-        if (count < 1 || (count > 1 && !(cell >= SHI_C(1e-18) && cell <= SHI_C(1e18)))) return SH_ERROR_GRID;
-        numbers *= count;
-        if (count > SHI_AXIS_NODES || numbers * (double)sizeof(SHI_T) > (double)((size_t)-1 / 2)) return SH_ERROR_COUNT;
-        if (a < 2) s->step[a + 1] = s->step[a] * (size_t)count;
-        s->taps[a] = count == 1 ? 1 : count == 2 || scheme != SH_HERMITE_MIXED ? 2 : 4;
-    }
+    if (!g || !c->nodes) return SH_ERROR_NULL;
+    if (c->bands < 1 || c->bands > SH_MAX_BANDS) return SH_ERROR_BANDS;
+    if (c->channels < 1) return SH_ERROR_COUNT;
+    if (c->planes != SH_VALUES && c->planes != SH_GRADIENT && c->planes != SH_HESSIAN) return SH_ERROR_OPTION;
+    if (!reads || reads > c->planes) return SH_ERROR_OPTION;
+    if (c->outside != SH_CLAMP && c->outside != SH_EXTRAPOLATE) return SH_ERROR_OPTION;
+    if (!SHI_FN(shi_finite)(g->origin, 3) || !SHI_FN(shi_finite)(g->cell, 3)) return SH_ERROR_NOT_FINITE;
+    s->scheme = c->scheme;
     s->neighbours = 0;
+    s->n = (size_t)c->bands * (size_t)c->bands;
+    s->step[0] = s->n * (size_t)c->planes * (size_t)c->channels;
+    bytes = (double)s->n * c->planes * c->channels * (double)sizeof(SHI_T);
+    for (a = 0; a < 3; a++) {
+        const int count = g->count[a];
+        if (count < 1) return SH_ERROR_GRID;
+        if (count > 1 && !(g->cell[a] >= SHI_C(1e-18) && g->cell[a] <= SHI_C(1e18))) return SH_ERROR_GRID;
+        bytes *= count;
+        if (count > SHI_AXIS_NODES || bytes > (double)((size_t)-1 / 2)) return SH_ERROR_COUNT;
+        if (a < 2) s->step[a + 1] = s->step[a] * (size_t)count;
+        s->taps[a] = count == 1 ? 1 : count == 2 || c->scheme != SH_HERMITE_MIXED ? 2 : 4;
+    }
     shi_stencil_offsets(s);
     return SH_OK;
 }
 
-/* An axis as the queries see it: in cells from the origin, a query is clamped to low .. high and lies in cell 0 .. top. An axis
- * of one node has low = high = top = inverse = 0. */
-typedef struct { SHI_T origin, inverse, low, high, top; } SHI_FN(shi_axis_range);
-
-/* A query's cell, the place t in it and rate = dt/dpoint. The error of t is that of a point moved by 2 eps |point - origin|. */
-SHI_INLINE size_t SHI_FN(shi_locate)(const SHI_FN(shi_axis_range) *r, SHI_T point, SHI_T *t, SHI_T *rate)
+/* A query's cell, the place t in it and rate = dt/dpoint. The error of t is that of a point moved by
+ * 2 eps |point - origin|. */
+SHI_INLINE size_t SHI_FN(shi_locate)(const SHI_FN(shi_range) *r, SHI_T point, SHI_T *t, SHI_T *rate)
 {
     const SHI_T x = (point - r->origin) * r->inverse;
-    const SHI_T inside = x > r->low ? x < r->high ? x : r->high : r->low;      /* low for the NaN of infinity times 0 */
+    const SHI_T inside = x > r->low ? x < r->high ? x : r->high : r->low;     /* low for NaN: infinity times 0 */
     const SHI_T ahead = inside > 0 ? inside : 0, cell = ahead < r->top ? ahead : r->top;
     const int i = (int)cell;
 
@@ -399,53 +424,48 @@ SHI_INLINE size_t SHI_FN(shi_locate)(const SHI_FN(shi_axis_range) *r, SHI_T poin
 }
 
 /* One list, in registers if a vector holds no more than n coefficients. */
-SHI_INLINE void SHI_FN(shi_gather)(size_t n, size_t terms, const ptrdiff_t *offset, const SHI_T *w, const SHI_T *from, SHI_T *out)
+SHI_INLINE void SHI_FN(shi_gather)(size_t n, size_t terms, const ptrdiff_t *offset, const SHI_T *w,
+                                   const SHI_T *from, SHI_T *out)
 {
-    if (!SHI_MANY(shi_gather)(n, terms, offset, w, from, out)) SHI_ONE(shi_gather)(n, terms, offset, w, from, out);
+    if (SHI_MANY(shi_gather)(n, terms, offset, w, from, out)) return;
+    SHI_ONE(shi_gather)(n, terms, offset, w, from, out);
 }
 
-SHI_INLINE void SHI_FN(shi_gather_dot)(size_t n, size_t terms, const ptrdiff_t *offset, const SHI_T *w, const SHI_T *from,
-                                       const SHI_T *transfer, SHI_T *value)
+SHI_INLINE void SHI_FN(shi_gather_dot)(size_t n, size_t terms, const ptrdiff_t *offset, const SHI_T *w,
+                                       const SHI_T *from, const SHI_T *transfer, SHI_T *value)
 {
-    if (!SHI_MANY(shi_gather_dot)(n, terms, offset, w, from, transfer, value))
-        SHI_ONE(shi_gather_dot)(n, terms, offset, w, from, transfer, value);
+    if (SHI_MANY(shi_gather_dot)(n, terms, offset, w, from, transfer, value)) return;
+    SHI_ONE(shi_gather_dot)(n, terms, offset, w, from, transfer, value);
 }
 
-/* x^power for 0 <= x <= 1 */
-SHI_INLINE SHI_T SHI_FN(shi_power)(SHI_T x, SHI_T power)
+/* Queries in blocks of SH_BLOCK: their cells, then their weights in lanes, then one list each. */
+SHI_INLINE int SHI_FN(shi_grid_queries)(const SHI_FN(shi_query) *c, shi_stencil *s)
 {
-    return power == 2 ? x * x : (SHI_T)pow((double)x, (double)power);
-}
-
-/* Queries in blocks of SH_BLOCK: out [count][channels][planes_out][n], or with transfers [count][channels] dot products. */
-SHI_INLINE int SHI_FN(shi_grid_queries)(shi_stencil *s, const SHI_FN(sh_grid) *grid, const SHI_T *nodes, int planes, int channels,
-                                        int outside, size_t count, const SHI_T *points, const SHI_T *transfers, int planes_out,
-                                        SHI_T *out)
-{
-    const SHI_T reach = outside == SH_EXTRAPOLATE ? SHI_C(SHI_REACH) : 0;
+    const size_t channels = (size_t)c->channels, planes_out = (size_t)c->planes_out;
+    const SHI_T reach = c->outside == SH_EXTRAPOLATE ? SHI_C(SHI_REACH) : 0;
     SHI_T h[3], t[3 * SH_BLOCK], rate[3 * SH_BLOCK], half[6 * SH_BLOCK], w[SHI_TERMS * SH_BLOCK];
-    SHI_FN(shi_axis_range) range[3];
-    size_t first[SH_BLOCK], done, q, left;
-    int neighbours[SH_BLOCK], a, c, p, status = SH_OK;
+    SHI_FN(shi_range) range[3];
+    size_t first[SH_BLOCK], done, q, left, channel, p;
+    int neighbours[SH_BLOCK], a, status = SH_OK;
 
     memset(range, 0, sizeof range);
     memset(h, 0, sizeof h);
     for (a = 0; a < 3; a++)
-        if (grid->count[a] > 1) {
-            h[a] = grid->cell[a];
-            range[a].origin = grid->origin[a];
-            range[a].inverse = 1 / grid->cell[a];
+        if (c->grid->count[a] > 1) {
+            h[a] = c->grid->cell[a];
+            range[a].origin = c->grid->origin[a];
+            range[a].inverse = 1 / h[a];
             range[a].low = -reach;
-            range[a].high = (SHI_T)(grid->count[a] - 1) + reach;
-            range[a].top = (SHI_T)(grid->count[a] - 2);
+            range[a].high = (SHI_T)(c->grid->count[a] - 1) + reach;
+            range[a].top = (SHI_T)(c->grid->count[a] - 2);
         }
     memset(t, 0, sizeof t);
     memset(rate, 0, sizeof rate);
     memset(half, 0, sizeof half);
-    for (done = 0; done < count; done += left) {
-        left = count - done < (size_t)SH_BLOCK ? count - done : (size_t)SH_BLOCK;
+    for (done = 0; done < c->count; done += left) {
+        left = c->count - done < (size_t)SH_BLOCK ? c->count - done : (size_t)SH_BLOCK;
         for (q = 0; q < left; q++) {
-            const SHI_T *point = points + 3 * (done + q);
+            const SHI_T *point = c->points + 3 * (done + q);
             neighbours[q] = 0;
             first[q] = 0;
             if (!SHI_FN(shi_finite)(point, 3)) {
@@ -454,10 +474,11 @@ SHI_INLINE int SHI_FN(shi_grid_queries)(shi_stencil *s, const SHI_FN(sh_grid) *g
                 continue;
             }
             for (a = 0; a < 3; a++) {
-                const size_t at = (size_t)a * SH_BLOCK + q, i = SHI_FN(shi_locate)(&range[a], point[a], &t[at], &rate[at]);
+                const size_t at = (size_t)a * SH_BLOCK + q;
+                const size_t i = SHI_FN(shi_locate)(&range[a], point[a], &t[at], &rate[at]);
                 first[q] += s->step[a] * i;
                 if (s->taps[a] == 4) {
-                    const int lower = i > 0, upper = i + 2 < (size_t)grid->count[a];
+                    const int lower = i > 0, upper = i + 2 < (size_t)c->grid->count[a];
                     neighbours[q] |= lower << 2 * a | upper << (2 * a + 1);
                     half[at + (size_t)a * SH_BLOCK] = lower ? SHI_C(0.5) : 0;
                     half[at + (size_t)(a + 1) * SH_BLOCK] = upper ? SHI_C(0.5) : 0;
@@ -465,21 +486,22 @@ SHI_INLINE int SHI_FN(shi_grid_queries)(shi_stencil *s, const SHI_FN(sh_grid) *g
             }
         }
         for (p = 0; p < planes_out; p++) {
-            SHI_MANY(shi_weights)(s, p - 1, h, t, rate, half, w);
+            SHI_MANY(shi_weights)(s, (int)p - 1, h, t, rate, half, w);
             for (q = 0; q < left; q++) {
-                const SHI_T *from = nodes + first[q];
+                const SHI_T *from = c->nodes + first[q];
                 if (neighbours[q] < 0) continue;
                 if (neighbours[q] != s->neighbours) {
                     s->neighbours = neighbours[q];
                     shi_stencil_offsets(s);
                 }
-                for (c = 0; c < channels; c++, from += s->n * (size_t)planes) {
-                    const size_t item = (done + q) * (size_t)channels + (size_t)c;
-                    if (transfers)
-                        SHI_FN(shi_gather_dot)(s->n, s->terms, s->offset, w + q, from, transfers + (done + q) * s->n, out + item);
+                for (channel = 0; channel < channels; channel++, from += s->n * (size_t)c->planes) {
+                    const size_t item = (done + q) * channels + channel;
+                    if (c->transfers)
+                        SHI_FN(shi_gather_dot)(s->n, s->terms, s->offset, w + q, from,
+                                               c->transfers + (done + q) * s->n, c->out + item);
                     else
                         SHI_FN(shi_gather)(s->n, s->terms, s->offset, w + q, from,
-                                           out + (item * (size_t)planes_out + (size_t)p) * s->n);
+                                           c->out + (item * planes_out + p) * s->n);
                 }
             }
         }
@@ -487,80 +509,111 @@ SHI_INLINE int SHI_FN(shi_grid_queries)(shi_stencil *s, const SHI_FN(sh_grid) *g
     return status;
 }
 
-SHI_NOINLINE int SHI_FN(shi_grid_call)(int bands, int planes, int channels, const SHI_FN(sh_grid) *grid, const SHI_T *nodes, int scheme,
-                                       int outside, size_t count, const SHI_T *points, const SHI_T *transfers, int planes_out, SHI_T *out)
+SHI_NOINLINE int SHI_FN(shi_grid_call)(const SHI_FN(shi_query) *c)
 {
+    const size_t channels = (size_t)c->channels;
     shi_stencil s;
-    size_t in_size, out_size;
-    const int status = SHI_FN(shi_grid_stencil)(bands, planes, channels, grid, nodes, scheme, outside, &s);
+    size_t out;
+    const int status = SHI_FN(shi_grid_stencil)(c, &s);
 
-    if (status != SH_OK) return status;
-    if (count == 0) return SH_OK;
-    if (!points || !out) return SH_ERROR_NULL;
-    out_size = transfers ? (size_t)channels : (size_t)channels * (size_t)planes_out * s.n;
-    if (count > SHI_MOST_ITEMS / (size_t)channels) return SH_ERROR_COUNT;
-    in_size = s.step[2] * (size_t)grid->count[2];
-    if (shi_overlap(out, count * out_size * sizeof *out, nodes, in_size * sizeof *nodes)
-        || shi_overlap(out, count * out_size * sizeof *out, points, 3 * count * sizeof *points)
-        || shi_overlap(out, count * out_size * sizeof *out, transfers, count * s.n * sizeof *transfers)) return SH_ERROR_OVERLAP;
-    return SHI_FN(shi_grid_queries)(&s, grid, nodes, planes, channels, outside, count, points, transfers, planes_out, out);
+    if (status != SH_OK || c->count == 0) return status;
+    if (!c->points || !c->out) return SH_ERROR_NULL;
+    if (c->count > SHI_MOST_ITEMS / channels) return SH_ERROR_COUNT;
+    out = c->count * channels * (c->transfers ? 1 : (size_t)c->planes_out * s.n) * sizeof(SHI_T);
+    if (shi_overlap(c->out, out, c->nodes, s.step[2] * (size_t)c->grid->count[2] * sizeof(SHI_T))
+        || shi_overlap(c->out, out, c->points, 3 * c->count * sizeof(SHI_T))
+        || shi_overlap(c->out, out, c->transfers, c->count * s.n * sizeof(SHI_T))) return SH_ERROR_OVERLAP;
+    return SHI_FN(shi_grid_queries)(c, &s);
 }
 
-/* Coefficients at a point, out of the grid's nodes.
- *
+/* Coefficients at many points, out of the grid's nodes.
  *   planes     SH_VALUES, SH_GRADIENT or SH_HESSIAN: what the nodes store; at least what the scheme reads
- *   nodes      [nodes][channels][planes][n*n]
+ *   channels   >= 1
+ *   nodes      [nodes][channels][planes][N], the layout of sh_spheres_grid
  *   scheme     enum sh_scheme
- *   outside    SH_CLAMP: a point outside the grid gets the value of the nearest point inside;
+ *   outside    SH_CLAMP: a point outside of the grid gets the coefficients of the nearest point inside;
  *              SH_EXTRAPOLATE: the border cell's polynomial, up to 1024 cells out and clamped there
- *   point      any finite point
- *   coeffs     [channels][n*n]
- *
- * An axis with one node is constant, its origin and cell do not matter.
- */
-SH_API int SHI_FN(sh_grid_interp)(int bands, int planes, int channels, const SHI_FN(sh_grid) *grid, const SHI_T *nodes, int scheme,
-                                  int outside, const SHI_T point[3], SHI_T *coeffs)
+ *   points     [count][3], any finite points
+ *   coeffs     [count][channels][N], overlapping no input
+ * An axis of one node is constant: its origin and cell need only be finite. Other cells are 1e-18 .. 1e18, no axis
+ * has more than 2^24 nodes.
+ * Status SH_ERROR_NOT_FINITE: a point is not, its outputs are untouched, those of the others are written.
+ * NaN among the coefficients of a node comes out of every query that reads the node.
+ * Error:  <= 8 eps of the largest |value|, cell |slope|, cell^2 |Hessian| read (worst seen 2.2, SH_HERMITE_MIXED),
+ *         at a point moved by 2 eps |point - origin|; extrapolated t cells out, times (1 + 2|t|)^3 per axis.
+ *         One call's point has the bits that it has in any batch.
+ * Source: the table on top; M22 5.1 for the grid, A04 Eq. 15 for SH_BLENDED_TAYLOR with the cell's weights. */
+SH_API int SHI_FN(sh_grid_interp_n)(int bands, int planes, int channels, const SHI_FN(sh_grid) *grid,
+                                    const SHI_T *nodes, int scheme, int outside, size_t count,
+                                    const SHI_T *points, SHI_T *coeffs)
 {
-    return SHI_FN(shi_grid_call)(bands, planes, channels, grid, nodes, scheme, outside, 1, point, NULL, 1, coeffs);
+    const SHI_FN(shi_query) call = { bands, planes, channels, scheme, outside, SH_VALUES, grid, nodes,
+                                     count, points, NULL, coeffs };
+    return SHI_FN(shi_grid_call)(&call);
 }
 
-/* The same for many points: points [count][3], coeffs [count][channels][n*n]; each with the bits of the call for one. */
-SH_API int SHI_FN(sh_grid_interp_n)(int bands, int planes, int channels, const SHI_FN(sh_grid) *grid, const SHI_T *nodes, int scheme,
-                                    int outside, size_t count, const SHI_T *points, SHI_T *coeffs)
+/* One point: coeffs[channels][N]. Many points in one call cost about half as much each. */
+SH_API int SHI_FN(sh_grid_interp)(int bands, int planes, int channels, const SHI_FN(sh_grid) *grid,
+                                  const SHI_T *nodes, int scheme, int outside, const SHI_T point[3], SHI_T *coeffs)
 {
-    return SHI_FN(shi_grid_call)(bands, planes, channels, grid, nodes, scheme, outside, count, points, NULL, 1, coeffs);
+    return SHI_FN(sh_grid_interp_n)(bands, planes, channels, grid, nodes, scheme, outside, 1, point, coeffs);
 }
 
-/* The interpolant and its exact derivatives by the point: out [channels][4][n*n] */
-SH_API int SHI_FN(sh_grid_gradient)(int bands, int planes, int channels, const SHI_FN(sh_grid) *grid, const SHI_T *nodes, int scheme,
-                                    int outside, const SHI_T point[3], SHI_T *out)
+/* The interpolant with its exact derivatives by the point, in the layout of a node with gradients: a grid resampled
+ * is a grid, and a point interpolated is a sample for sh_sample_taylor.
+ *   out   [count][channels][4][N]: coefficients (the bits of sh_grid_interp), d/dx, d/dy, d/dz
+ * Derivatives across the border of a clamped query are 0. At a face of a C0 scheme they are those of the cell that
+ * begins there, the last face those of the cell that ends there.
+ * Error:  <= 16 eps of the largest datum as above, per cell size. */
+SH_API int SHI_FN(sh_grid_gradient_n)(int bands, int planes, int channels, const SHI_FN(sh_grid) *grid,
+                                      const SHI_T *nodes, int scheme, int outside, size_t count,
+                                      const SHI_T *points, SHI_T *out)
 {
-    return SHI_FN(shi_grid_call)(bands, planes, channels, grid, nodes, scheme, outside, 1, point, NULL, SH_GRADIENT, out);
+    const SHI_FN(shi_query) call = { bands, planes, channels, scheme, outside, SH_GRADIENT, grid, nodes,
+                                     count, points, NULL, out };
+    return SHI_FN(shi_grid_call)(&call);
 }
 
-SH_API int SHI_FN(sh_grid_gradient_n)(int bands, int planes, int channels, const SHI_FN(sh_grid) *grid, const SHI_T *nodes, int scheme,
-                                      int outside, size_t count, const SHI_T *points, SHI_T *out)
+/* One point: out[channels][4][N]. */
+SH_API int SHI_FN(sh_grid_gradient)(int bands, int planes, int channels, const SHI_FN(sh_grid) *grid,
+                                    const SHI_T *nodes, int scheme, int outside, const SHI_T point[3], SHI_T *out)
 {
-    return SHI_FN(shi_grid_call)(bands, planes, channels, grid, nodes, scheme, outside, count, points, NULL, SH_GRADIENT, out);
+    return SHI_FN(sh_grid_gradient_n)(bands, planes, channels, grid, nodes, scheme, outside, 1, point, out);
 }
 
-SH_API int SHI_FN(sh_grid_dot)(int bands, int planes, int channels, const SHI_FN(sh_grid) *grid, const SHI_T *nodes, int scheme,
-                               int outside, const SHI_T point[3], const SHI_T *transfer, SHI_T *values)
+/* Dot products of the coefficients at many points, each with its transfer vector (A04 Eq. 3), N coefficients never
+ * stored: one transfer for all channels.
+ *   transfers   [count][N]
+ *   values      [count][channels]
+ * Error:  <= 16 eps of the sum of magnitudes, beyond that of the coefficients. */
+SH_API int SHI_FN(sh_grid_dot_n)(int bands, int planes, int channels, const SHI_FN(sh_grid) *grid,
+                                 const SHI_T *nodes, int scheme, int outside, size_t count,
+                                 const SHI_T *points, const SHI_T *transfers, SHI_T *values)
 {
-    if (!transfer) return SH_ERROR_NULL;
-    return SHI_FN(shi_grid_call)(bands, planes, channels, grid, nodes, scheme, outside, 1, point, transfer, 1, values);
+    const SHI_FN(shi_query) call = { bands, planes, channels, scheme, outside, SH_VALUES, grid, nodes,
+                                     count, points, transfers, values };
+    return !transfers && count ? SH_ERROR_NULL : SHI_FN(shi_grid_call)(&call);
 }
 
-SH_API int SHI_FN(sh_grid_dot_n)(int bands, int planes, int channels, const SHI_FN(sh_grid) *grid, const SHI_T *nodes, int scheme,
-                                 int outside, size_t count, const SHI_T *points, const SHI_T *transfers, SHI_T *values)
+/* One point and transfer[N]: values[channels]. */
+SH_API int SHI_FN(sh_grid_dot)(int bands, int planes, int channels, const SHI_FN(sh_grid) *grid,
+                               const SHI_T *nodes, int scheme, int outside, const SHI_T point[3],
+                               const SHI_T *transfer, SHI_T *values)
 {
-    if (!transfers && count) return SH_ERROR_NULL;
-    return SHI_FN(shi_grid_call)(bands, planes, channels, grid, nodes, scheme, outside, count, points, transfers, 1, values);
+    return SHI_FN(sh_grid_dot_n)(bands, planes, channels, grid, nodes, scheme, outside, 1, point, transfer, values);
+}
+
+/* ---- scattered samples ---- */
+
+/* x^power for 0 <= x <= 1 */
+SHI_INLINE SHI_T SHI_FN(shi_power)(SHI_T x, SHI_T power)
+{
+    return power == 2 ? x * x : (SHI_T)pow((double)x, (double)power);
 }
 
 /* The Taylor series of one sample as a list: weight times { 1; d; d d / 2 } for its planes from `at` on. */
-SHI_INLINE size_t SHI_FN(shi_taylor_terms)(size_t k, int planes, ptrdiff_t n, const SHI_T d[3], SHI_T weight, ptrdiff_t at,
-                                           ptrdiff_t *offset, SHI_T *w)
+SHI_INLINE size_t SHI_FN(shi_taylor_terms)(size_t k, int planes, ptrdiff_t n, const SHI_T d[3], SHI_T weight,
+                                           ptrdiff_t at, ptrdiff_t *offset, SHI_T *w)
 {
     const SHI_T h = weight * SHI_C(0.5);
     SHI_T v[10];
@@ -589,29 +642,39 @@ SHI_INLINE SHI_T SHI_FN(shi_difference)(const SHI_T point[3], const SHI_T sample
     if (large == 0) return 0;
     if (!(large <= SHI_C(1e18))) return -1;
     for (a = 0; a < 3; a++) sum += (d[a] / large) * (d[a] / large);
-    return large * (SHI_T)sqrt((double)sum);
+    return large * SHI_LIBM(sqrt)(sum);
 }
 
-/* Coefficients at a point as an inverse-distance blend of the Taylor series of scattered samples, A04 Eq. 14-16:
- * sum of w_j (f_j + g_j . d_j), w_j proportional to 1/|d_j|^power, d_j = point - sample j. */
-SHI_INLINE int SHI_FN(shi_samples)(int bands, int planes, int channels, SHI_T power, size_t count, const SHI_T *samples,
-                                   const SHI_T *blocks, const SHI_T point[3], SHI_T *coeffs)
+/* Inverse-distance blend of the Taylor series of scattered samples: sum of w_j (f_j + g_j . d_j + ...), d_j = point -
+ * sample j, w_j proportional to 1/|d_j|^power.
+ *   planes    SH_VALUES, SH_GRADIENT, SH_HESSIAN: the samples' series are of order 0, 1 (A04), 2
+ *   power     in (0, 64], A04's b: 2 is the usual one; above 1 the blend has the samples' gradients at the samples
+ *   count     >= 1
+ *   samples   [count][3], each coordinate within 1e18 of the point's
+ *   blocks    [count][channels][planes][N]
+ *   coeffs    [channels][N], overlapping no input
+ * At a sample the blend is that sample, to the bit (Eq. 16 is 0/0 there); samples in one place share its weight.
+ * Polynomials of the samples' order are reproduced. Cost: count * planes reads of N numbers, so choose few.
+ * Error:  <= 64 eps on data of size 1 within 3 of the point.
+ * Source: A04 Eq. 14-16. */
+SH_API int SHI_FN(sh_samples_blend)(int bands, int planes, int channels, SHI_T power, size_t count,
+                                    const SHI_T *samples, const SHI_T *blocks, const SHI_T point[3], SHI_T *coeffs)
 {
     const size_t n = (size_t)(bands > 0 ? bands : 0) * (size_t)(bands > 0 ? bands : 0);
-    size_t block, j, done, k, i;
+    const size_t out = n * (size_t)(channels > 0 ? channels : 0) * sizeof(SHI_T);
+    size_t block, j, done, k, i, channel;
     SHI_T nearest = 0, total = 0, d[3], w[SHI_TERMS * SH_BLOCK], part[SH_MAX_BANDS * SH_MAX_BANDS];
     ptrdiff_t offset[SHI_TERMS];
-    int c;
 
     if (!samples || !blocks || !point || !coeffs) return SH_ERROR_NULL;
     if (bands < 1 || bands > SH_MAX_BANDS) return SH_ERROR_BANDS;
     if (planes != SH_VALUES && planes != SH_GRADIENT && planes != SH_HESSIAN) return SH_ERROR_OPTION;
     if (!SHI_FN(shi_finite)(&power, 1) || !(power > 0 && power <= SHI_C(64))) return SH_ERROR_OPTION;
-    block = n * (size_t)planes * (size_t)(channels > 0 ? channels : 0);
-    if (channels < 1 || count < 1 || count > (size_t)-1 / 2 / sizeof(SHI_T) / block) return SH_ERROR_COUNT;
-    if (shi_overlap(coeffs, n * (size_t)channels * sizeof *coeffs, blocks, count * block * sizeof *blocks)
-        || shi_overlap(coeffs, n * (size_t)channels * sizeof *coeffs, samples, 3 * count * sizeof *samples)
-        || shi_overlap(coeffs, n * (size_t)channels * sizeof *coeffs, point, 3 * sizeof *point)) return SH_ERROR_OVERLAP;
+    if (channels < 1 || count < 1 || count > SHI_MOST_ITEMS / (size_t)channels) return SH_ERROR_COUNT;
+    block = n * (size_t)planes * (size_t)channels;
+    if (shi_overlap(coeffs, out, blocks, count * block * sizeof *blocks)
+        || shi_overlap(coeffs, out, samples, 3 * count * sizeof *samples)
+        || shi_overlap(coeffs, out, point, 3 * sizeof *point)) return SH_ERROR_OVERLAP;
     if (!SHI_FN(shi_finite)(point, 3) || !SHI_FN(shi_finite)(samples, 3 * count)) return SH_ERROR_NOT_FINITE;
     for (j = 0; j < count; j++) {
         const SHI_T r = SHI_FN(shi_difference)(point, samples + 3 * j, d);
@@ -627,15 +690,16 @@ SHI_INLINE int SHI_FN(shi_samples)(int bands, int planes, int channels, SHI_T po
         for (j = done, k = 0; j < count && k + (size_t)planes <= SHI_TERMS; j++) {
             const SHI_T r = SHI_FN(shi_difference)(point, samples + 3 * j, d);
             const SHI_T weight = (r > nearest ? SHI_FN(shi_power)(nearest / r, power) : 1) / total;
-            k = SHI_FN(shi_taylor_terms)(k, planes, (ptrdiff_t)n, d, weight, (ptrdiff_t)((j - done) * block), offset, w);
+            const ptrdiff_t at = (ptrdiff_t)((j - done) * block);
+            k = SHI_FN(shi_taylor_terms)(k, planes, (ptrdiff_t)n, d, weight, at, offset, w);
         }
         for (; k % 4; k++) {
             offset[k] = 0;
             w[k * SH_BLOCK] = 0;
         }
-        for (c = 0; c < channels; c++) {
-            const SHI_T *from = blocks + done * block + (size_t)c * (size_t)planes * n;
-            SHI_T *o = coeffs + (size_t)c * n;
+        for (channel = 0; channel < (size_t)channels; channel++) {
+            const SHI_T *from = blocks + done * block + channel * (size_t)planes * n;
+            SHI_T *o = coeffs + channel * n;
             SHI_FN(shi_gather)(n, k, offset, w, from, done ? part : o);
             for (i = 0; done && i < n; i++) o[i] += part[i];
         }
@@ -643,39 +707,17 @@ SHI_INLINE int SHI_FN(shi_samples)(int bands, int planes, int channels, SHI_T po
     return SH_OK;
 }
 
-/* The Taylor series of one sample, at a point: of order 0, 1 (A04 Eq. 4, 14), 2 by what it stores, planes SH_VALUES,
- * SH_GRADIENT, SH_HESSIAN.
- *
- *   sample    [3] where the sample was taken; |point - sample| <= 1e18 in every component
- *   block     [channels][planes][n*n]
- *   coeffs    [channels][n*n], no overlap with the inputs
- *
- * The error of the series is that of A04's extrapolation: it grows as (|d| / distance of the nearest light)^2, ^3.
- */
+/* The Taylor series of one sample, at a point: a blend of one. Its error grows as (|d| / distance of the nearest
+ * light)^(order + 1).
+ *   sample[3], block[channels][planes][N], coeffs[channels][N]
+ * Source: A04 Eq. 4 and 14, with Hessians the next order. */
 SH_API int SHI_FN(sh_sample_taylor)(int bands, int planes, int channels, const SHI_T sample[3], const SHI_T *block,
                                     const SHI_T point[3], SHI_T *coeffs)
 {
-    return SHI_FN(shi_samples)(bands, planes, channels, 1, 1, sample, block, point, coeffs);
+    return SHI_FN(sh_samples_blend)(bands, planes, channels, 1, 1, sample, block, point, coeffs);
 }
 
-/* Inverse-distance blend of the Taylor series of `count` >= 1 scattered samples, A04 Eq. 15-16: weights proportional to
- * 1/|point - sample|^power.
- *
- *   power     in (0, 64], A04's b: 2 is the usual one; above 1 the blend has the samples' gradients at the samples
- *   samples   [count][3]
- *   blocks    [count][channels][planes][n*n], planes as for sh_sample_taylor
- *   coeffs    [channels][n*n], no overlap with the inputs
- *
- * At a sample the blend is that sample, to the bit (Eq. 16 is 0/0 there); samples in one place share its weight.
- * Reproduces polynomials of the order that is stored. Cost: count * planes reads of n*n numbers, so choose few.
- */
-SH_API int SHI_FN(sh_samples_blend)(int bands, int planes, int channels, SHI_T power, size_t count, const SHI_T *samples,
-                                    const SHI_T *blocks, const SHI_T point[3], SHI_T *coeffs)
-{
-    return SHI_FN(shi_samples)(bands, planes, channels, power, count, samples, blocks, point, coeffs);
-}
-
-#endif /* SHI_ROOM */
+#endif /* rooms */
 
 /*
  * MIT License
