@@ -1970,16 +1970,16 @@ SHI_INLINE SHI_T SHI_FN(shi_descend)(int bands, const SHI_T *c, SHI_T u[3])
  * minimum, and the global one unless eight others lie lower at the samples. */
 SH_API int SHI_FN(sh_minimum)(int bands, const SHI_T *coeffs, SHI_T *dir, SHI_T *value)
 {
-    enum { STARTS = 8, CHUNK = 64 };
-    SHI_T dirs[3 * CHUNK], values[CHUNK], start[STARTS][3], low[STARTS], best;
+    enum { SHI_STARTS = 8, SHI_CHUNK = 64 };
+    SHI_T dirs[3 * SHI_CHUNK], values[SHI_CHUNK], start[SHI_STARTS][3], low[SHI_STARTS], best;
     const int points = 24 * bands * bands + 64;
     const double apart = 1 - 8.0 / points;                  /* cosine of about twice the spacing */
     int first, i, j, k, used = 0, at = 0;
 
     if (!coeffs) return SH_ERROR_NULL;
     if (bands < 1 || bands > SH_MAX_BANDS) return SH_ERROR_BANDS;
-    for (first = 0; first < points; first += CHUNK) {
-        const int count = points - first < CHUNK ? points - first : CHUNK;
+    for (first = 0; first < points; first += SHI_CHUNK) {
+        const int count = points - first < SHI_CHUNK ? points - first : SHI_CHUNK;
         for (i = 0; i < count; i++) {
             const double z = 1 - (2 * (first + i) + 1.0) / points, f = 2.399963229728653 * (first + i), s = sqrt(1 - z * z);
             dirs[3 * i] = (SHI_T)(s * cos(f));
@@ -1995,7 +1995,7 @@ SH_API int SHI_FN(sh_minimum)(int bands, const SHI_T *coeffs, SHI_T *dir, SHI_T 
                 if (low[j] > low[worst]) worst = j;
             }
             if (near < 0) {
-                if (used < STARTS) { near = used++; low[near] = values[i] + 1; }
+                if (used < SHI_STARTS) { near = used++; low[near] = values[i] + 1; }
                 else near = worst;
             }
             if (values[i] < low[near]) {
