@@ -34,6 +34,7 @@
  *     SH_API                storage of public functions              [static inline]
  *     SH_VECTOR_BYTES       0, 16, 32: register width                [widest the compiler targets]
  *     SH_WIDE_BYTES         the same or 64: width for sums           [64 with AVX-512F]
+ *     SH_UNROLLED_BANDS     1..10: bodies unrolled up to this band count; smaller is less code     [10]
  *     SH_GRADIENT_FILENAME  the name this file has in your tree      ["sh_gradient.h"]
  *     The widths follow the compiler's target; fused multiply-add needs -ffp-contract=fast (the GNU dialects' default).
  *
@@ -125,6 +126,12 @@ enum {
 #    define SH_WIDE_BYTES SH_VECTOR_BYTES
 #  endif
 #endif
+#ifndef SH_UNROLLED_BANDS
+#  define SH_UNROLLED_BANDS 10
+#endif
+#if SH_UNROLLED_BANDS < 1 || SH_UNROLLED_BANDS > 10
+#  error "SH_UNROLLED_BANDS is 1 to 10"
+#endif
 #ifndef SH_GRADIENT_FILENAME
 #  define SH_GRADIENT_FILENAME "sh_gradient.h"
 #endif
@@ -154,10 +161,10 @@ enum {
 #define SHI_POOL 400                                    /* vectors on the stack: weights of a block of lights ... */
 #define SHI_SUMS 800                                    /* ... running sums ... */
 #define SHI_LIGHTS_AT_ONCE 16                           /* ... and most vectors of lights in a block */
-#define SHI_UNROLLED_BANDS 10                           /* up to here a body per band count and polynomials */
+#define SHI_POLYNOMIAL_BANDS 10                         /* shi_horner's; the most that can be unrolled */
 #define SHI_ROWS(l, m) ((l) * ((l) + 1) / 2 + (m))      /* index into tables by band and m */
 
-#define SHI_HORNER(l, m) (SHI_UNROLLED_BANDS / 2 * SHI_ROWS(l, m))    /* index into shi_horner */
+#define SHI_HORNER(l, m) (SHI_POLYNOMIAL_BANDS / 2 * SHI_ROWS(l, m))    /* index into shi_horner */
 
 #define SHI_CAT_(a, b) a##b
 #define SHI_CAT(a, b)  SHI_CAT_(a, b)
@@ -331,7 +338,7 @@ SHI_INLINE int shi_overlap(const void *a, size_t a_bytes, const void *b, size_t 
 #define SHI_SPLAT(s)    SHI_KN(shi_splat)(s)
 #define SHI_LOAD(p)     SHI_KN(shi_load)(p)
 #define SHI_STORE(p, v) SHI_KN(shi_store)(p, v)
-#define SHI_PUT(p, v, stride) SHI_KN(shi_put)(p, v, stride)
+#define SHI_PUT(p, v, single) SHI_KN(shi_put)(p, v, single)
 #define SHI_SQRT(v)     SHI_KN(shi_sqrt)(v)
 #define SHI_RSQRT(v)    SHI_KN(shi_rsqrt)(v)
 #define SHI_FMA(a, b, c) SHI_KN(shi_fma)(a, b, c)
@@ -385,9 +392,10 @@ __extension__ typedef SHI_I SHI_M __attribute__((__vector_size__(SHI_BYTES)));
 
 SHI_KERNEL SHI_V SHI_LOAD(const SHI_T *p)          { SHI_V v; memcpy(&v, p, sizeof v); return v; }
 SHI_KERNEL void  SHI_STORE(SHI_T *p, SHI_V v)      { memcpy(p, &v, sizeof v); }
-SHI_KERNEL void  SHI_PUT(SHI_T *p, SHI_V v, int stride)    /* in kernels: stride 1 is one item, the first lane */
+SHI_KERNEL void  SHI_PUT(SHI_T *p, SHI_V v, int single)    /* all lanes, or the first */
 {
-    memcpy(p, &v, stride == 1 ? sizeof(SHI_T) : sizeof v);
+    if (single) memcpy(p, &v, sizeof(SHI_T));
+    else memcpy(p, &v, sizeof v);
 }
 SHI_KERNEL SHI_M SHI_BITS_OF(SHI_V v)              { SHI_M m; memcpy(&m, &v, sizeof m); return m; }
 #if SHI_LANES == 1
@@ -714,20 +722,17 @@ SHI_INLINE void SHI_KN(shi_scatter)(const SHI_T *block, int rows, SHI_T *out, si
 
 /* one unrolled body per band count up to 10, one loop beyond */
 #if SHI_LANES == 1 && SHI_BITS == 32
+#define SHI_BODY(k, fixed, ...) \
+    case k: if (k <= SH_UNROLLED_BANDS) return fixed(k <= SH_UNROLLED_BANDS ? k : 1, __VA_ARGS__); break;
 #define SHI_BANDS(n, fixed, any, ...) \
     switch (n) { \
-    case 1:  return fixed(1, __VA_ARGS__); \
-    case 2:  return fixed(2, __VA_ARGS__); \
-    case 3:  return fixed(3, __VA_ARGS__); \
-    case 4:  return fixed(4, __VA_ARGS__); \
-    case 5:  return fixed(5, __VA_ARGS__); \
-    case 6:  return fixed(6, __VA_ARGS__); \
-    case 7:  return fixed(7, __VA_ARGS__); \
-    case 8:  return fixed(8, __VA_ARGS__); \
-    case 9:  return fixed(9, __VA_ARGS__); \
-    case 10: return fixed(10, __VA_ARGS__); \
-    default: return any(n, __VA_ARGS__); \
-    }
+        SHI_BODY(1, fixed, __VA_ARGS__) SHI_BODY(2, fixed, __VA_ARGS__) SHI_BODY(3, fixed, __VA_ARGS__) \
+        SHI_BODY(4, fixed, __VA_ARGS__) SHI_BODY(5, fixed, __VA_ARGS__) SHI_BODY(6, fixed, __VA_ARGS__) \
+        SHI_BODY(7, fixed, __VA_ARGS__) SHI_BODY(8, fixed, __VA_ARGS__) SHI_BODY(9, fixed, __VA_ARGS__) \
+        SHI_BODY(10, fixed, __VA_ARGS__) \
+    default: break; \
+    } \
+    return any(n, __VA_ARGS__);
 #endif
 
 /* ---- drivers: a body per band count where that pays; only the functions a program calls are compiled ---- */
@@ -743,9 +748,9 @@ SHI_NOINLINE int SHI_KN(shi_blocks_both)(int n, size_t blocks, const SHI_T *dirs
 }
 SHI_NOINLINE int SHI_KN(shi_blocks_gradient)(int n, size_t blocks, const SHI_T *dirs, SHI_T *y, SHI_T *g)
 {
-    SHI_T discard[3 * SHI_UNROLLED_BANDS * SHI_UNROLLED_BANDS * SH_BLOCK];
+    SHI_T discard[3 * SH_UNROLLED_BANDS * SH_UNROLLED_BANDS * SH_BLOCK];
     const size_t size = (size_t)(n * n * SH_BLOCK);
-    if (n > SHI_UNROLLED_BANDS)
+    if (n > SH_UNROLLED_BANDS)
         return SHI_KN(shi_blocks_any)(n, SH_GRADIENT, blocks, dirs, y ? y : discard, y ? size : 0, y ? SH_BLOCK : 0,
                                       g ? g : discard, g ? 3 * size : 0, g ? SH_BLOCK : 0, discard, 0, 0);
     return SHI_KN(shi_blocks_both)(n, blocks, dirs, y ? y : discard, y ? size : 0, g ? g : discard, g ? 3 * size : 0);
@@ -836,15 +841,15 @@ SHI_NOINLINE int SHI_KN(shi_single_both)(int n, const SHI_T v[3], SHI_T *y, SHI_
 }
 SHI_NOINLINE int SHI_KN(shi_single_gradient)(int n, const SHI_T v[3], SHI_T *y, SHI_T *g)
 {
-    SHI_T discard[3 * SHI_UNROLLED_BANDS * SHI_UNROLLED_BANDS];
-    if (n > SHI_UNROLLED_BANDS)
+    SHI_T discard[3 * SH_UNROLLED_BANDS * SH_UNROLLED_BANDS];
+    if (n > SH_UNROLLED_BANDS)
         return SHI_KN(shi_one_any)(n, SH_GRADIENT, v, y ? y : discard, y != NULL, g ? g : discard, g != NULL, discard, 0);
     return SHI_KN(shi_single_both)(n, v, y ? y : discard, g ? g : discard);
 }
 SHI_NOINLINE int SHI_KN(shi_single_hessian)(int n, const SHI_T v[3], SHI_T *y, SHI_T *g, SHI_T *h)
 {
-    SHI_T discard[SH_BLOCK];
-    return SHI_KN(shi_one_any)(n, SH_HESSIAN, v, y ? y : discard, y != NULL, g ? g : discard, g != NULL, h ? h : discard, h != NULL);
+    SHI_T discard;
+    return SHI_KN(shi_one_any)(n, SH_HESSIAN, v, y ? y : &discard, y != NULL, g ? g : &discard, g != NULL, h ? h : &discard, h != NULL);
 }
 
 /* ---- sum c_i Y_i at W directions, the basis never stored ----
@@ -1370,7 +1375,7 @@ SHI_KERNEL void SHI_BN(shi_column)(int m, int n, const SHI_V a[3], SHI_V *q)
 }
 
 /* y[N], `stride` elements from one coefficient to the next */
-SHI_KERNEL void SHI_BN(shi_values)(int n, const SHI_V u[3], SHI_T *y, int stride)
+SHI_KERNEL void SHI_BN(shi_values)(int n, int single, const SHI_V u[3], SHI_T *y, int stride)
 {
     SHI_V a[3], q[SH_MAX_BANDS], c = -u[0], s = -u[1];
     int l, m;
@@ -1382,10 +1387,10 @@ SHI_KERNEL void SHI_BN(shi_values)(int n, const SHI_V u[3], SHI_T *y, int stride
         for (l = m; l < n; l++) {
             SHI_T *const at = y + (l * l + l) * stride;
             if (m == 0) {
-                SHI_PUT(at, q[l], stride);
+                SHI_PUT(at, q[l], single);
             } else {
-                SHI_PUT(at + m * stride, q[l] * c, stride);
-                SHI_PUT(at - m * stride, q[l] * s, stride);
+                SHI_PUT(at + m * stride, q[l] * c, single);
+                SHI_PUT(at - m * stride, q[l] * s, single);
             }
         }
         if (m > 0) SHI_KN(shi_next_power)(u, &c, &s);
@@ -1393,7 +1398,7 @@ SHI_KERNEL void SHI_BN(shi_values)(int n, const SHI_V u[3], SHI_T *y, int stride
 }
 
 /* y[N], g[3][N] = dY(v/|v|)/dv at u = v/|v|, i = 1/|v|; a stride of 0 discards an output into one place */
-SHI_KERNEL void SHI_BN(shi_gradient)(int n, const SHI_V u[3], SHI_V i, SHI_T *y, int y_stride, SHI_T *g, int stride)
+SHI_KERNEL void SHI_BN(shi_gradient)(int n, int single, const SHI_V u[3], SHI_V i, SHI_T *y, int y_stride, SHI_T *g, int stride)
 {
     const SHI_V x = u[0], v = u[1], z = u[2], xi = x * i, vi = v * i;
     SHI_T *const gx = g, *const gy = gx + n * n * stride, *const gz = gy + n * n * stride;
@@ -1420,20 +1425,20 @@ SHI_KERNEL void SHI_BN(shi_gradient)(int n, const SHI_V u[3], SHI_V i, SHI_T *y,
                 const SHI_V b = m == 0 ? z * d : SHI_C(m) * q + z * d, e = d - z * b;        /* u.F' and F'_z - z u.F', over U_m */
                 const int at = l * l + l;
                 if (m == 0) {
-                    SHI_PUT(y + at * y_stride, q, y_stride);
-                    SHI_PUT(gx + at * stride, -(xi * b), stride);
-                    SHI_PUT(gy + at * stride, -(vi * b), stride);
-                    SHI_PUT(gz + at * stride, i * e, stride);
+                    SHI_PUT(y + at * y_stride, q, single);
+                    SHI_PUT(gx + at * stride, -(xi * b), single);
+                    SHI_PUT(gy + at * stride, -(vi * b), single);
+                    SHI_PUT(gz + at * stride, i * e, single);
                 } else {
                     const SHI_V qc = q * mc, qs = q * ms;
-                    SHI_PUT(y + (at + m) * y_stride, q * c, y_stride);
-                    SHI_PUT(y + (at - m) * y_stride, q * s, y_stride);
-                    SHI_PUT(gx + (at + m) * stride, -(xc * b) - qc, stride);
-                    SHI_PUT(gx + (at - m) * stride, -(xs * b) - qs, stride);
-                    SHI_PUT(gy + (at + m) * stride, qs - vc * b, stride);
-                    SHI_PUT(gy + (at - m) * stride, -(vs * b) - qc, stride);
-                    SHI_PUT(gz + (at + m) * stride, ic * e, stride);
-                    SHI_PUT(gz + (at - m) * stride, is * e, stride);
+                    SHI_PUT(y + (at + m) * y_stride, q * c, single);
+                    SHI_PUT(y + (at - m) * y_stride, q * s, single);
+                    SHI_PUT(gx + (at + m) * stride, -(xc * b) - qc, single);
+                    SHI_PUT(gx + (at - m) * stride, -(xs * b) - qs, single);
+                    SHI_PUT(gy + (at + m) * stride, qs - vc * b, single);
+                    SHI_PUT(gy + (at - m) * stride, -(vs * b) - qc, single);
+                    SHI_PUT(gz + (at + m) * stride, ic * e, single);
+                    SHI_PUT(gz + (at - m) * stride, is * e, single);
                 }
             }
         }
@@ -1442,8 +1447,8 @@ SHI_KERNEL void SHI_BN(shi_gradient)(int n, const SHI_V u[3], SHI_V i, SHI_T *y,
 
 /* one coefficient's value, gradient and Hessian from F' and F'' of its polynomial: with t = P F', k = u.F',
  * w = F'' u and p = w + t - (u.w + k) u / 2, the Hessian of Y(v/|v|) is (F'' - u p' - p u' - k I) / |v|^2 */
-SHI_KERNEL void SHI_BN(shi_second)(const SHI_V u[3], SHI_V i, SHI_V value, const SHI_V f[3], const SHI_V h[6],
-                                   SHI_T *y, int y_stride, SHI_T *g, int g_stride, int g_plane, SHI_T *out, int stride, int plane)
+SHI_KERNEL void SHI_BN(shi_second)(int single, const SHI_V u[3], SHI_V i, SHI_V value, const SHI_V f[3], const SHI_V h[6],
+                                   SHI_T *y, SHI_T *g, int g_plane, SHI_T *out, int plane)
 {
     const SHI_V k = u[0] * f[0] + u[1] * f[1] + u[2] * f[2], ii = i * i;
     const SHI_V wx = h[0] * u[0] + h[1] * u[1] + h[2] * u[2];
@@ -1452,20 +1457,20 @@ SHI_KERNEL void SHI_BN(shi_second)(const SHI_V u[3], SHI_V i, SHI_V value, const
     const SHI_V half = SHI_C(0.5) * ((wx * u[0] + wy * u[1] + wz * u[2]) + k);
     const SHI_V tx = f[0] - k * u[0], ty = f[1] - k * u[1], tz = f[2] - k * u[2];
     const SHI_V px = wx + tx - half * u[0], py = wy + ty - half * u[1], pz = wz + tz - half * u[2];
-    SHI_PUT(y, value, y_stride);
-    SHI_PUT(g, i * tx, g_stride);
-    SHI_PUT(g + g_plane, i * ty, g_stride);
-    SHI_PUT(g + 2 * g_plane, i * tz, g_stride);
-    SHI_PUT(out, ii * (h[0] - (u[0] * px + u[0] * px) - k), stride);
-    SHI_PUT(out + plane, ii * (h[1] - (u[0] * py + px * u[1])), stride);
-    SHI_PUT(out + 2 * plane, ii * (h[2] - (u[0] * pz + px * u[2])), stride);
-    SHI_PUT(out + 3 * plane, ii * (h[3] - (u[1] * py + u[1] * py) - k), stride);
-    SHI_PUT(out + 4 * plane, ii * (h[4] - (u[1] * pz + py * u[2])), stride);
-    SHI_PUT(out + 5 * plane, ii * (h[5] - (u[2] * pz + u[2] * pz) - k), stride);
+    SHI_PUT(y, value, single);
+    SHI_PUT(g, i * tx, single);
+    SHI_PUT(g + g_plane, i * ty, single);
+    SHI_PUT(g + 2 * g_plane, i * tz, single);
+    SHI_PUT(out, ii * (h[0] - (u[0] * px + u[0] * px) - k), single);
+    SHI_PUT(out + plane, ii * (h[1] - (u[0] * py + px * u[1])), single);
+    SHI_PUT(out + 2 * plane, ii * (h[2] - (u[0] * pz + px * u[2])), single);
+    SHI_PUT(out + 3 * plane, ii * (h[3] - (u[1] * py + u[1] * py) - k), single);
+    SHI_PUT(out + 4 * plane, ii * (h[4] - (u[1] * pz + py * u[2])), single);
+    SHI_PUT(out + 5 * plane, ii * (h[5] - (u[2] * pz + u[2] * pz) - k), single);
 }
 
 /* y[N], g[3][N], h[6][N] of Y(v/|v|) */
-SHI_KERNEL void SHI_BN(shi_hessian)(int n, const SHI_V u[3], SHI_V i, SHI_T *y, int y_stride, SHI_T *g, int g_stride,
+SHI_KERNEL void SHI_BN(shi_hessian)(int n, int single, const SHI_V u[3], SHI_V i, SHI_T *y, int y_stride, SHI_T *g, int g_stride,
                                     SHI_T *h, int stride)
 {
     const int plane = n * n * stride, g_plane = n * n * g_stride;
@@ -1502,8 +1507,7 @@ SHI_KERNEL void SHI_BN(shi_hessian)(int n, const SHI_V u[3], SHI_V i, SHI_T *y, 
             k[3] = -k[0];
             k[4] = dm * s1;
             k[5] = e * c0;
-            SHI_BN(shi_second)(u, i, q * c0, f, k, y + at * y_stride, y_stride, g + at * g_stride, g_stride, g_plane,
-                               h + at * stride, stride, plane);
+            SHI_BN(shi_second)(single, u, i, q * c0, f, k, y + at * y_stride, g + at * g_stride, g_plane, h + at * stride, plane);
             if (m > 0) {
                 at = l * l + l - m;
                 f[0] = -(qm * s1);
@@ -1515,8 +1519,7 @@ SHI_KERNEL void SHI_BN(shi_hessian)(int n, const SHI_V u[3], SHI_V i, SHI_T *y, 
                 k[3] = -k[0];
                 k[4] = -(dm * c1);
                 k[5] = e * s0;
-                SHI_BN(shi_second)(u, i, q * s0, f, k, y + at * y_stride, y_stride, g + at * g_stride, g_stride, g_plane,
-                               h + at * stride, stride, plane);
+                SHI_BN(shi_second)(single, u, i, q * s0, f, k, y + at * y_stride, g + at * g_stride, g_plane, h + at * stride, plane);
             }
         }
     }
@@ -1542,9 +1545,9 @@ SHI_KERNEL int SHI_BN(shi_blocks)(int n, int planes, size_t blocks, const SHI_T 
                 status = bad ? bad : status;
                 continue;
             }
-            if (planes == SH_VALUES) SHI_BN(shi_values)(n, u, yb + yi, ys);
-            else if (planes == SH_GRADIENT) SHI_BN(shi_gradient)(n, u, inverse, yb + yi, ys, gb + gi, gs);
-            else SHI_BN(shi_hessian)(n, u, inverse, yb + yi, ys, gb + gi, gs, hb + hi, hs);
+            if (planes == SH_VALUES) SHI_BN(shi_values)(n, 0, u, yb + yi, ys);
+            else if (planes == SH_GRADIENT) SHI_BN(shi_gradient)(n, 0, u, inverse, yb + yi, ys, gb + gi, gs);
+            else SHI_BN(shi_hessian)(n, 0, u, inverse, yb + yi, ys, gb + gi, gs, hb + hi, hs);
         }
     }
     return status;
@@ -1605,9 +1608,9 @@ SHI_KERNEL int SHI_BN(shi_one)(int n, int planes, const SHI_T d[3], SHI_T *y, in
     for (k = 0; k < 3; k++) v[k] = SHI_SPLAT(d[k]);
     if (planes == SH_VALUES && SHI_KN(shi_nearly_unit)(v, u)) inverse = u[0];
     else if (!SHI_KN(shi_unit)(v, u, &inverse)) return 0;
-    if (planes == SH_VALUES) SHI_BN(shi_values)(n, u, y, ys);
-    else if (planes == SH_GRADIENT) SHI_BN(shi_gradient)(n, u, inverse, y, ys, g, gs);
-    else SHI_BN(shi_hessian)(n, u, inverse, y, ys, g, gs, h, hs);
+    if (planes == SH_VALUES) SHI_BN(shi_values)(n, 1, u, y, ys);
+    else if (planes == SH_GRADIENT) SHI_BN(shi_gradient)(n, 1, u, inverse, y, ys, g, gs);
+    else SHI_BN(shi_hessian)(n, 1, u, inverse, y, ys, g, gs, h, hs);
     return 1;
 }
 
@@ -1639,8 +1642,8 @@ SHI_INLINE int SHI_FN(shi_check_basis)(int bands, size_t count, const SHI_T *v, 
 SHI_NOINLINE int SHI_FN(shi_one_by_one)(int n, int planes, size_t count, const SHI_T *dirs, int axis, int next,
                                         SHI_T *y, int ys, int y_next, SHI_T *g, int gs, int g_next, SHI_T *h, int hs, int h_next)
 {
-    SHI_T t[4 * SHI_UNROLLED_BANDS * SHI_UNROLLED_BANDS];
-    const int size = n * n, direct = planes == SH_HESSIAN || n > SHI_UNROLLED_BANDS;
+    SHI_T t[4 * SH_UNROLLED_BANDS * SH_UNROLLED_BANDS];
+    const int size = n * n, direct = planes == SH_HESSIAN || n > SH_UNROLLED_BANDS;
     int status = SH_OK, ok, k;
     size_t p;
     for (p = 0; p < count; p++, dirs += next, y += y_next, g += g_next, h += h_next) {
@@ -2060,7 +2063,7 @@ SH_API int SHI_FN(sh_reconstruct_n)(int bands, const SHI_T *coeffs, size_t count
     if (shi_overlap(dirs, 3 * count * item, values, count * item) || shi_overlap(dirs, 3 * count * item, grads, 3 * count * item)
         || shi_overlap(coeffs, size * item, values, count * item) || shi_overlap(coeffs, size * item, grads, 3 * count * item))
         return SH_ERROR_OVERLAP;
-    if (bands <= SHI_UNROLLED_BANDS) SHI_FN(shi_horner_form)(bands, coeffs, a);
+    if (bands <= SH_UNROLLED_BANDS) SHI_FN(shi_horner_form)(bands, coeffs, a);
     else SHI_FN(shi_forward_form)(bands, coeffs, a);
     if (grads) return SHI_WIDE(shi_sum_gradient)(bands, a, count, dirs, values, grads);
     return values ? SHI_WIDE(shi_sum_values)(bands, a, count, dirs, values) : SH_OK;

@@ -12,7 +12,7 @@ from mpmath import mp, mpf, pi, sqrt
 
 mp.dps = 50
 TOP = 33            # highest l: 32 bands, and two more for the Hessians of moments
-HORNER_BANDS = 10
+POLYNOMIAL_BANDS = 10
 
 
 def odd_factorial(k):                       # (2k-1)!!
@@ -49,7 +49,7 @@ def norm(l, m):
 def horner(m):
     """Rows d = 0, 1, ...: N q_{m+d}^m = z^(d&1) sum_k row[k] t^k with t = z^2 - 1/2."""
     rows = []
-    for d in range(HORNER_BANDS - m):
+    for d in range(POLYNOMIAL_BANDS - m):
         l = m + d
         if d == 0:
             row = [Fraction(1)]
@@ -95,10 +95,10 @@ def frac(f):
 
 
 def block():
-    low = [(l, m) for l in range(HORNER_BANDS) for m in range(l + 1)]
-    padded = {m: horner(m) for m in range(HORNER_BANDS)}
+    low = [(l, m) for l in range(POLYNOMIAL_BANDS) for m in range(l + 1)]
+    padded = {m: horner(m) for m in range(POLYNOMIAL_BANDS)}
     pairs = [(l, m) for l in range(TOP + 1) for m in range(l + 1)]
-    flat = [v for l, m in low for v in (padded[m][l - m] + [mpf(0)] * HORNER_BANDS)[:HORNER_BANDS // 2]]
+    flat = [v for l, m in low for v in (padded[m][l - m] + [mpf(0)] * POLYNOMIAL_BANDS)[:POLYNOMIAL_BANDS // 2]]
     return "\n".join([
         table("shi_beta", len(pairs), "[l(l+1)/2 + m]: monic q_l = z q_{l-1} - beta q_{l-2}; (l,l) holds -1, the seed of a column",
               [frac(beta(l, m)) for l, m in pairs]),
