@@ -182,7 +182,7 @@ static int read_index(const reader *r, char **s, int count, const char *what)
 {
     char *end;
     const long i = strtol(*s, &end, 10);
-    if (end == *s) die("%s:%d: a face corner is v, v/vt, v//vn or v/vt/vn", r->path, r->line);
+    if (end == *s || strchr(" \t\r\n", **s)) die("%s:%d: a face corner is v, v/vt, v//vn or v/vt/vn", r->path, r->line);
     if (i == 0 || i > count || i < -(long)count)
         die("%s:%d: %s %ld of %d", r->path, r->line, what, i, count);
     *s = end;

@@ -38,6 +38,7 @@ obj 'v 0 0 0\nv 1 0 0\nf 1 2 0\n';       refuses "obj:3: position 0 of 2"  --mes
 obj 'v 0 0 0\nv 1 0 0\nf 1 2 -3\n';      refuses "obj:3: position -3 of 2" --mesh "$out/test.obj"
 obj 'v 0 0 0\nv 1 0 0\nf 1 2\n';         refuses "three corners or more"   --mesh "$out/test.obj"
 obj 'v 0 0 0\nv 1 0 0\nf 1 2 x\n';       refuses "a face corner is"        --mesh "$out/test.obj"
+obj 'v 0 0 0\nv 1 0 0\nf 1/ 2/ 1/\n';      refuses "a face corner is"        --mesh "$out/test.obj"
 obj 'v 0 0 0\nv 1 0 0\nf 1//1 2 1\n';    refuses "normal 1 of 0"           --mesh "$out/test.obj"
 obj 'v 0 0 0\nv 0 0 0\nv 0 0 0\nf 1 2 3\n'; refuses "no extent"            --mesh "$out/test.obj"
 obj 'v 0 0 0\0';                         refuses "zero byte"               --mesh "$out/test.obj"
