@@ -45,7 +45,10 @@ agreement check_grid(const settings *o, const stage *s, const light *now)
     for (node = 0; node < nodes; node++) {
         const int place[3] = { node % o->nodes[0], node / o->nodes[0] % o->nodes[1], node / (o->nodes[0] * o->nodes[1]) };
         double point[3];
-        for (k = 0; k < 3; k++) point[k] = (double)(low[k] + size[k] / (float)(o->nodes[k] - 1) * (float)place[k]);
+        for (k = 0; k < 3; k++) {
+            volatile float step = size[k] / (float)(o->nodes[k] - 1) * (float)place[k];     /* no contraction */
+            point[k] = (double)(low[k] + step);
+        }
         node_by_header(o, point, now, s->count, cpu);
         for (l = 0; l < o->bands; l++) {
             double worst[2] = { 0, 0 }, largest[2] = { 0, 0 };

@@ -2,7 +2,7 @@
 layout(binding = 0) uniform sampler2D shaded;
 layout(binding = 1) uniform sampler2D emitted;          /* with its mipmaps: the wider the glow, the coarser the level */
 layout(binding = 2) uniform sampler2D reference;
-uniform float exposure, scale;                          /* scale > 0: a heat map of scale times the error */
+uniform float exposure, scale;                          /* scale > 0: a heat map of scale times the error, in alpha the error */
 
 layout(location = 0) out vec4 colour;
 
@@ -45,5 +45,6 @@ void main()
     }
     sum /= float(SAMPLES * SAMPLES);
     error = abs(error) / float(SAMPLES * SAMPLES);
-    colour = vec4(scale > 0.0 ? heat(scale * (error.r + error.g + error.b) / 3.0) : sum, 1.0);
+    float mean = (error.r + error.g + error.b) / 3.0;
+    colour = scale > 0.0 ? vec4(heat(scale * mean), mean) : vec4(sum, 1.0);
 }

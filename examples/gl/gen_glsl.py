@@ -1,13 +1,13 @@
 #!/usr/bin/env python3
-"""Write the generated part of sh.glsl, or with --check compare it with what the file holds.
+"""Write the generated parts of sh.glsl and polygon.glsl, or with --check compare them with what the files hold.
 
-    gen_glsl.py [--check] [sh.glsl]
+    gen_glsl.py [--check] [folder]
 
 mpmath at 40 digits; 9 significant digits are printed, which name a float exactly."""
 import os
 import sys
 
-from mpmath import factorial, fac2, legendre, mp, mpf, pi, sqrt, cos, sin
+from mpmath import atan, chebyfit, factorial, fac2, legendre, mp, mpf, pi, sqrt, cos, sin, tan
 
 mp.dps = 40
 BANDS = 9                                   # what the shader file can be compiled for; light sums need l = BANDS too
@@ -83,6 +83,10 @@ def pack(statements):                       # statements on lines of at most 108
         if len(line) + len(s) + 1 > 106:
             lines.append(line)
             line = "   "
+        while len(line) + len(s) + 1 > 106:                     # a long sum goes on below, indented
+            cut = max(s.rfind(sign, 0, 98) for sign in (" + ", " - "))
+            lines.append(line + " " + s[:cut])
+            line, s = "       ", s[cut + 1:]
         line += " " + s
     return "\n".join(lines + [line]) + "\n"
 
@@ -162,21 +166,37 @@ def lines():
         quarter_turn()])
 
 
+def arctangent():
+    top = tan(pi / 8) ** 2
+    c, error = chebyfit(lambda x: (atan(sqrt(x)) / sqrt(x) - 1) / x if x > 1e-20 else mpf(-1) / 3, [mpf(0), top], 5, error=True)
+    assert error * top ** 1.5 < 3e-9, error
+    return c[::-1]
+
+
+def rule():
+    nodes = sorted(((x + 1) / 2, w / 2) for x, w in gauss(8))
+    return (table("SH_GAUSS_AT", "Gauss-Legendre, 8 points on [0, 1]", [x for x, _ in nodes])
+            + table("SH_GAUSS", "their weights", [w for _, w in nodes])
+            + table("SH_ATAN", "atan(t) = t + t^3 sum of c_k t^2k for |t| <= tan(pi/8), to 3e-9", arctangent()))
+
+
 def main():
     args = [a for a in sys.argv[1:] if a != "--check"]
-    path = args[0] if args else os.path.join(os.path.dirname(os.path.abspath(__file__)), "sh.glsl")
-    with open(path) as f:
-        old = text = f.read()
-    for what, write in (("tables", tables), ("straight lines", lines)):
-        i = text.index(BEGIN % what) + len(BEGIN % what)
-        text = text[:i] + write() + text[text.index(END, i):]
-    if "--check" in sys.argv:
-        if text != old:
-            sys.exit("%s: stale constants, run: python3 examples/gl/gen_glsl.py" % path)
-        print("%s: generated blocks are current" % path)
-    else:
-        with open(path, "w") as f:
-            f.write(text)
+    folder = args[0] if args else os.path.dirname(os.path.abspath(__file__))
+    for name, what, write in (("sh.glsl", "tables", tables), ("sh.glsl", "straight lines", lines),
+                              ("polygon.glsl", "gauss", rule)):
+        path = os.path.join(folder, name)
+        with open(path) as f:
+            old = f.read()
+        i = old.index(BEGIN % what) + len(BEGIN % what)
+        new = old[:i] + write() + old[old.index(END, i):]
+        if "--check" not in sys.argv:
+            with open(path, "w") as f:
+                f.write(new)
+        elif new != old:
+            sys.exit("%s: stale constants (%s), run: python3 examples/gl/gen_glsl.py" % (path, what))
+        else:
+            print("%s: %s are current" % (path, what))
 
 
 main()

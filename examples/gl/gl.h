@@ -59,7 +59,8 @@ void   pass_surfaces(const settings *o, const camera *c);
 void   pass_occlusion(const settings *o, const camera *c);
 void   pass_shading(const settings *o, const stage *s, const camera *c, int as_reference);
 void   pass_picture(const settings *o, float exposure);
-double passes_ms(int pass);                                 /* of its last run, by the GPU's clock; waits for it */
+double passes_ms(int pass);                                 /* of its last run; waits for it */
+const char *passes_clock(void);                             /* what timed it */
 float  passes_exposure(const settings *o);                  /* from what was shaded last */
 float *passes_nodes(const settings *o);                     /* [node][coefficient][channel][4], free it */
 float *passes_image(const settings *o, int which);          /* SURFACES: places; GRID: normals; SHADING: radiance */

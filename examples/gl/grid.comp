@@ -256,7 +256,9 @@ void finish(int l, int m)
 void main()
 {
     place = int(gl_WorkGroupID.x);
-    point = origin + cell * vec3(place % count.x, place / count.x % count.y, place / (count.x * count.y));
+    precise vec3 at = cell * vec3(place % count.x, place / count.x % count.y, place / (count.x * count.y));
+    at += origin;                                                       /* rounded twice, as the check does it */
+    point = at;
     lane = int(gl_LocalInvocationID.x);
     row = int(gl_LocalInvocationID.y);
     order = row - ROWS / 2;

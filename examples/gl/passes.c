@@ -8,6 +8,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <time.h>
 #include <stb/stb_easy_font.h>
 
 /* ---- programs: one per shader files and definitions, compiled when first used ---- */
@@ -27,7 +28,7 @@ static GLuint compile(GLenum type, const char *defines, const char *const *const
     line[lines++] = "#version 450 core\n";
     line[lines++] = defines;
     for (f = 0; files[f]; f++) {
-        line[lines++] = f ? "#line 1 1\n" : "#line 1 0\n";
+        line[lines++] = f == 0 ? "#line 1 0\n" : f == 1 ? "#line 1 1\n" : "#line 1 2\n";
         for (i = 0; files[f][i]; i++) line[lines++] = files[f][i];
     }
     glShaderSource(id, lines, line, NULL);
@@ -92,7 +93,7 @@ static void   set3(GLuint p, const char *name, vec3 v) { glUniform3f(at(p, name)
 enum { LIGHTS, NODES, MATERIAL_TABLE, AXES, BUFFERS };
 enum { PLACES, NORMALS, EMITTED, OPEN_RAW, OPEN, SHADED, REFERENCE, SHOWN, TARGETS };
 static GLuint buffer[BUFFERS], texels[BUFFERS], vertices, letters, arrays, letter_array, target[TARGETS], depth, canvas[TARGETS], query[PASSES];
-static int    light_count, vertex_count, turning_count, target_width, target_height, target_samples;
+static int    software, light_count, vertex_count, turning_count, target_width, target_height, target_samples;
 
 static void store(int which, size_t bytes, const void *data)
 {
@@ -144,8 +145,10 @@ static void send_axes(int bands)
 
 void passes_open(const stage *s)
 {
+    const char *renderer = (const char *)glGetString(GL_RENDERER);
     int i;
 
+    software = strstr(renderer, "llvmpipe") || strstr(renderer, "softpipe") || strstr(renderer, "SwiftShader");
     glGenBuffers(BUFFERS, buffer);
     glCreateTextures(GL_TEXTURE_BUFFER, BUFFERS, texels);
     glGenQueries(PASSES, query);
@@ -260,15 +263,43 @@ static void grid(GLuint p, const settings *o, const stage *s)
 
 /* ---- the passes ---- */
 
-static void begin(int pass) { glBeginQuery(GL_TIME_ELAPSED, query[pass]); }
-static void end(void) { glEndQuery(GL_TIME_ELAPSED); }
+/* By the GPU's timer queries; by the wall's clock where the renderer is software: llvmpipe's queries do not see compute. */
+static double started, clocked[PASSES];
+static int    running;
+
+static double now_ms(void)
+{
+    struct timespec t;
+    clock_gettime(CLOCK_MONOTONIC, &t);
+    return 1e3 * (double)t.tv_sec + 1e-6 * (double)t.tv_nsec;
+}
+
+static void begin(int pass)
+{
+    running = pass;
+    if (software) {
+        glFinish();
+        started = now_ms();
+    } else glBeginQuery(GL_TIME_ELAPSED, query[pass]);
+}
+
+static void end(void)
+{
+    if (software) {
+        glFinish();
+        clocked[running] = now_ms() - started;
+    } else glEndQuery(GL_TIME_ELAPSED);
+}
 
 double passes_ms(int pass)
 {
     GLuint64 ns = 0;
+    if (software) return clocked[pass];
     glGetQueryObjectui64v(query[pass], GL_QUERY_RESULT, &ns);
     return 1e-6 * (double)ns;
 }
+
+const char *passes_clock(void) { return software ? "wall clock" : "GPU timer"; }
 
 void pass_grid(const settings *o, const stage *s)
 {
@@ -338,9 +369,11 @@ void pass_occlusion(const settings *o, const camera *c)
 
 void pass_shading(const settings *o, const stage *s, const camera *c, int as_reference)
 {
-    const GLuint p = use(FILES(whole_vert), FILES(sh_glsl, shade_frag),
-                         "#define SH_BANDS %d\n#define LIGHT_BANDS %d\n#define PER_PIXEL %d\n",
-                         o->lobe_bands, o->bands, o->scheme == PER_POINT);
+    const int pixel = o->scheme == PER_POINT, polygons = pixel && o->kind == POLYGON_LIGHTS;
+    const GLuint p = use(FILES(whole_vert), FILES(sh_glsl, polygon_glsl, shade_frag),
+                         "#define SH_BANDS %d\n#define LIGHT_BANDS %d\n#define PER_PIXEL %d\n#define POLYGONS %d\n#define AXES %d\n",
+                         o->lobe_bands, o->bands, pixel, polygons, polygons ? axes(o->bands) : 0);
+    if (polygons) send_axes(o->bands);
     begin(SHADING);
     set1(p, "light_count", light_count);
     set1(p, "scheme", o->scheme);

@@ -3,7 +3,38 @@
  *
  * Wang and Ramamoorthi 2018 (WR18), in a form that keeps its accuracy: no cross product of unit vectors, -c^2 in place
  * of a^2 + b^2 - 1, bands l >= 1 without the solid angle. The gradient is carried along the boundary. Both lose
- * accuracy as (distance/size)^2, so small triangles are integrated by seven points instead. */
+ * accuracy as (distance/size)^2, so triangles that look small are integrated by points instead, 7 or 64. */
+
+/* BEGIN gen_glsl.py: gauss */
+/* Gauss-Legendre, 8 points on [0, 1] */
+const float SH_GAUSS_AT[8] = float[8](
+    0.0198550718, 0.101666761, 0.237233795, 0.408282679, 0.591717321, 0.762766205, 0.898333239,
+    0.980144928
+);
+/* their weights */
+const float SH_GAUSS[8] = float[8](
+    0.0506142681, 0.111190517, 0.156853323, 0.181341892, 0.181341892, 0.156853323, 0.111190517,
+    0.0506142681
+);
+/* atan(t) = t + t^3 sum of c_k t^2k for |t| <= tan(pi/8), to 3e-9 */
+const float SH_ATAN[5] = float[5](
+    -0.333333318, 0.199995405, -0.142639556, 0.107437315, -0.0645192821
+);
+/* END gen_glsl.py */
+
+/* The builtin may be off by thousands of units in the last place; this is not. */
+float sh_atan(float y, float x)
+{
+    float far = max(abs(x), abs(y)), near = min(abs(x), abs(y));
+    bool wide = near > 0.414213562 * far;
+    float t = wide ? (near - far) / (near + far) : far > 0.0 ? near / far : 0.0, z = t * t, p = SH_ATAN[4];
+    for (int k = 3; k >= 0; k--) p = p * z + SH_ATAN[k];
+    t += t * z * p;
+    if (wide) t += SH_PI / 4.0;
+    if (abs(y) > abs(x)) t = SH_PI / 2.0 - t;
+    if (x < 0.0) t = SH_PI - t;
+    return y < 0.0 ? -t : t;
+}
 
 /* One edge A to B. */
 void sh_edge_zonal(vec3 from, vec3 to, vec3 axis, inout float s[SH_BANDS], inout vec3 grad[SH_BANDS])
@@ -12,7 +43,7 @@ void sh_edge_zonal(vec3 from, vec3 to, vec3 axis, inout float s[SH_BANDS], inout
     float area = length(normal), near = length(from), both = near * length(to);
     if (area == 0.0) return;
     vec3 mu = normal / area, w = from / near;
-    float cosine = dot(from, to) / both, sine = area / both, gamma = atan(area, dot(from, to));
+    float cosine = dot(from, to) / both, sine = area / both, gamma = sh_atan(area, dot(from, to));
     float a = dot(w, axis), b = dot(cross(mu, w), axis), c = dot(mu, axis);
     float z0 = a, z1 = a * cosine + b * sine, d0 = b, d1 = b * cosine - a * sine;
     float k0 = 1.0 / near, k1 = -dot(edge, w) / area, k = k0 * a + k1 * b;
@@ -67,9 +98,14 @@ void sh_triangle_zonal(vec3 a, vec3 b, vec3 c, vec3 axis, out float s[SH_BANDS],
             sh_point_zonal(0.0661970764, 3.0 * near * middle + (1.0 - 3.0 * near) * corner, area2, axis, s, grad);
             sh_point_zonal(0.0629695903, 3.0 * wide * middle + (1.0 - 3.0 * wide) * corner, area2, axis, s, grad);
         }
+    } else if (size < 0.5 * length(middle)) {                   /* Gauss's rule in u and v: a + u (b-a) + uv (c-b) */
+        for (int k = 0; k < 64; k++) {
+            float u = SH_GAUSS_AT[k >> 3], v = SH_GAUSS_AT[k & 7], weight = SH_GAUSS[k >> 3] * SH_GAUSS[k & 7] * u;
+            sh_point_zonal(weight, a + u * ((b - a) + v * (c - b)), area2, axis, s, grad);
+        }
     } else {
         float x = length(a), y = length(b), z = length(c);      /* van Oosterom and Strackee 1983 */
-        s[0] = 2.0 * atan(det, x * y * z + dot(a, b) * z + dot(b, c) * x + dot(c, a) * y);
+        s[0] = 2.0 * sh_atan(det, x * y * z + dot(a, b) * z + dot(b, c) * x + dot(c, a) * y);
         sh_edge_zonal(a, b, axis, s, grad);
         sh_edge_zonal(b, c, axis, s, grad);
         sh_edge_zonal(c, a, axis, s, grad);

@@ -9,6 +9,7 @@
 struct Material { vec3 albedo; float f0, f90, lobe[9]; };
 
 layout(std430, binding = 2) readonly buffer Materials { Material materials[]; };
+layout(std430, binding = 3) readonly buffer Axes { vec4 axis[17]; float axis_weight[]; };   /* as in grid.comp */
 layout(binding = 0) uniform sampler2D places;
 layout(binding = 1) uniform sampler2D normals;
 layout(binding = 2) uniform sampler2D occlusion;
@@ -35,9 +36,36 @@ void transfers(vec3 normal, vec3 mirror, const in float lobe[9])
         for (int i = l * l; i < (l + 1) * (l + 1); i++) diffuse[i] *= sh_diffuse_zonal(l);
 }
 
-#if PER_PIXEL
+#if PER_PIXEL && POLYGONS
+/* Exact triangles: the zonal sum about the normal gives the irradiance, those about the fixed axes the rest. */
+void gather(vec3 point, vec3 normal, out vec3 d, out vec3 g)
+{
+    float s[SH_BANDS], along[AXES * LIGHT_BANDS];                       /* the lobe's transfer, axis by axis and band */
+    vec3 unused[SH_BANDS];
+    for (int j = 0; j < AXES; j++)
+        for (int l = 0; l < LIGHT_BANDS; l++) {
+            float sum = 0.0;
+            for (int i = l * l; i < (l + 1) * (l + 1); i++) sum += gloss[i] * axis_weight[i * AXES + j];
+            along[j * LIGHT_BANDS + l] = sum;
+        }
+    d = vec3(0.0);
+    g = vec3(0.0);
+    for (int i = 0; i < light_count; i++) {
+        vec3 a = texelFetch(lights, 6 * i + 3).xyz - point, b = texelFetch(lights, 6 * i + 4).xyz - point;
+        vec3 c = texelFetch(lights, 6 * i + 5).xyz - point, rgb = texelFetch(lights, 6 * i + 1).rgb;
+        for (int j = -1; j < AXES; j++) {
+            float t = 0.0;
+            sh_triangle_zonal(a, b, c, j < 0 ? normal : axis[j].xyz, s, unused);
+            for (int l = 0; l < LIGHT_BANDS; l++)
+                t += s[l] * (j < 0 ? sh_diffuse_zonal(l) * float(2 * l + 1) / (4.0 * SH_PI) : along[j * LIGHT_BANDS + l]);
+            if (j < 0) d += t * rgb;
+            else g += t * rgb;
+        }
+    }
+}
+#elif PER_PIXEL
 /* sum over lights of sum g_l t_lm Y_lm(u): no coefficient is kept */
-void gather(vec3 point, out vec3 d, out vec3 g)
+void gather(vec3 point, vec3 normal, out vec3 d, out vec3 g)
 {
     d = vec3(0.0);
     g = vec3(0.0);
@@ -65,7 +93,7 @@ void gather(vec3 point, out vec3 d, out vec3 g)
 }
 #else
 /* Every scheme is a sum over the cell's corners: eight vec4 weights, then one dot product per corner and channel. */
-void gather(vec3 point, out vec3 d, out vec3 g)
+void gather(vec3 point, vec3 normal, out vec3 d, out vec3 g)
 {
     vec4 w[8];
     vec3 p = clamp((point - origin) / cell, vec3(0.0), vec3(count - 1));
@@ -103,7 +131,7 @@ void main()
     vec3 normal = texelFetch(normals, pixel, 0).xyz, view = normalize(eye - place.xyz), d, g;
     float facing = dot(normal, view), fresnel = m.f0 + (m.f90 - m.f0) * pow(1.0 - max(facing, 0.0), 5.0);
     transfers(normal, 2.0 * facing * normal - view, m.lobe);
-    gather(place.xyz, d, g);
+    gather(place.xyz, normal, d, g);
     radiance = vec4(m.albedo / SH_PI * max(d, vec3(0.0)) + fresnel * max(g, vec3(0.0)), 1.0);
     if (occluded) radiance.rgb *= texelFetch(occlusion, pixel, 0).x;
 }

@@ -70,8 +70,28 @@ void stage_build(stage *s, int count, int quick)
     free(r.m.v); free(r.m.t); free(r.l.sphere); free(r.l.radiance);
 }
 
-/* Every light swings a little about its place. As a triangle it has the sphere's disc's area, its centre, and faces
- * the middle of the floor: by M22, Eq. 24-25, the sphere it is taken for is the sphere it replaces. */
+/* M22, Eq. 24-25: the sphere at the triangle's centroid whose disc has its area; from the corners as they are rounded. */
+static void take_for_a_sphere(light *l)
+{
+    double u[3], v[3], n[3], area2 = 0;
+    int k;
+
+    for (k = 0; k < 3; k++) {
+        u[k] = (double)l->corner[1][k] - (double)l->corner[0][k];
+        v[k] = (double)l->corner[2][k] - (double)l->corner[0][k];
+        l->sphere[k] = (float)(((double)l->corner[0][k] + (double)l->corner[1][k] + (double)l->corner[2][k]) / 3);
+    }
+    for (k = 0; k < 3; k++) {
+        n[k] = u[(k + 1) % 3] * v[(k + 2) % 3] - u[(k + 2) % 3] * v[(k + 1) % 3];
+        area2 += n[k] * n[k];
+    }
+    area2 = sqrt(area2);
+    for (k = 0; k < 3; k++) l->normal[k] = (float)(n[k] / area2);
+    l->normal[3] = 1;
+    l->sphere[3] = (float)sqrt(area2 / 6.283185307179586);
+}
+
+/* Every light swings a little about its place. As a triangle it keeps its area and centre and faces the teapot. */
 void stage_move(const stage *s, int triangles, double time, light *now)
 {
     int i, k;
@@ -82,18 +102,17 @@ void stage_move(const stage *s, int triangles, double time, light *now)
         vec3 at, n, x, y;
 
         *l = s->lights[i];
-        at = add(get(l->sphere), vec(swing * sinf(1.3f * t + phase), swing * sinf(1.7f * t + 2 * phase), swing * sinf(2.1f * t + 3 * phase)));
+        at = add(get(l->sphere), mul(vec(sinf(1.3f * t + phase), sinf(1.7f * t + 2 * phase), sinf(2.1f * t + 3 * phase)), swing));
         put(l->sphere, at);
         if (!triangles) continue;
         n = unit(sub(vec(0, 0, 0.8f), at));
         x = unit(fabsf(n.z) < 0.9f ? cross(n, vec(0, 0, 1)) : cross(n, vec(1, 0, 0)));
         y = cross(n, x);
-        put(l->normal, n);
-        l->normal[3] = 1;
         for (k = 0; k < 3; k++) {                           /* area (3 sqrt(3)/4) R^2 = pi r^2 */
             const float a = phase + 2.0943951f * (float)k, r = l->sphere[3] * 1.5551203f;
             put(l->corner[k], add(at, add(mul(x, r * cosf(a)), mul(y, r * sinf(a)))));
         }
+        take_for_a_sphere(l);
     }
 }
 

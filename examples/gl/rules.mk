@@ -1,0 +1,46 @@
+# The GPU path: M22's grid in a compute shader, shading in a fragment shader. Needs libepoxy, GLFW and stb
+# (Debian: libepoxy-dev libglfw3-dev libstb-dev, for the tests also glslang-tools xvfb); without them nothing is built.
+GL_DIR     := examples/gl
+GL_LIBS    := $(shell pkg-config --libs epoxy glfw3 2>/dev/null)
+GL_SHADERS := $(addprefix $(GL_DIR)/,sh.glsl polygon.glsl grid.comp surface.vert surface.frag occlusion.frag shade.frag \
+                final.frag whole.vert text.vert text.frag)
+GL_ROOMS   := context passes stage check
+GL_OBJECTS := $(GL_ROOMS:%=$(BUILD)/gl/%.o) $(BUILD)/gl/relight-mesh.o $(BUILD)/gl/relight-scene.o
+GL_HEADERS := $(GL_DIR)/gl.h examples/relight/relight.h $(BUILD)/gl/gl_shaders.h
+
+.PHONY: gl-demo gl-bench gl-bench-quick test-gl check-glsl
+TEST_TARGETS += test-gl
+TABLE_CHECKS += check-glsl
+
+check-glsl: ; @$(PYTHON) $(GL_DIR)/gen_glsl.py --check
+
+ifneq ($(GL_LIBS),)
+ALL_TARGETS += $(BUILD)/gl-demo
+
+$(BUILD)/gl: ; @mkdir -p $@
+
+# every shader file as an array of its lines, ended by NULL
+$(BUILD)/gl/gl_shaders.h: $(GL_SHADERS) | $(BUILD)/gl
+	@for f in $(GL_SHADERS); do \
+	    echo "static const char *const $$(basename $$f | tr . _)[] = {"; \
+	    sed 's/\\/\\\\/g; s/"/\\"/g; s/^/    "/; s/$$/\\n",/' $$f; echo "    NULL"; echo "};"; done > $@
+
+$(BUILD)/gl/%.o: $(GL_DIR)/%.c $(GL_HEADERS) $(wildcard $(HEADERS)) | $(BUILD)/gl
+	$(CC) $(CFLAGS) $(WARN) $(CPPFLAGS) -I$(BUILD)/gl -c $< -o $@
+$(BUILD)/gl/relight-%.o: examples/relight/%.c examples/relight/relight.h | $(BUILD)/gl
+	$(CC) $(CFLAGS) $(WARN) $(CPPFLAGS) -c $< -o $@
+$(BUILD)/gl-demo: $(BUILD)/gl/demo.o $(GL_OBJECTS)
+	$(CC) $(CFLAGS) $^ $(LDFLAGS) $(GL_LIBS) -lm -o $@
+$(BUILD)/gl-bench: $(BUILD)/gl/bench.o $(GL_OBJECTS)
+	$(CC) $(CFLAGS) $^ $(LDFLAGS) $(GL_LIBS) -lm -o $@
+
+gl-demo: $(BUILD)/gl-demo
+	$(BUILD)/gl-demo --out $(BUILD)/gl-demo.png
+gl-bench: $(BUILD)/gl-bench
+	$(BUILD)/gl-bench --out $(BUILD)/gl-bench.csv
+gl-bench-quick: $(BUILD)/gl-bench
+	$(BUILD)/gl-bench --quick --out $(BUILD)/gl-bench.csv
+else
+gl-demo gl-bench gl-bench-quick:
+	@echo "$@: libepoxy or GLFW is missing (pkg-config finds no epoxy, glfw3): make deps" >&2; exit 77
+endif
