@@ -4045,8 +4045,8 @@ SHI_INLINE void SHI_KN(shi_polygon_block)(int n, int planes, int sides, const SH
             for (l = 0; l < nt * (nt + 1); l++) t[l] = zero;
             for (j = 0; j < nodes; j++) {
                 SHI_V *const o = node + 5 * fill, ir, p[3];
-                for (k = 0; k < 3; k++) p[k] = a0[k] + (rule[3 * j] * e[k] + rule[3 * j + 1] * f[k]);
-                ir = one / SHI_SQRT(SHI_SELECT(small, p[0] * p[0] + p[1] * p[1] + p[2] * p[2], one));
+                for (k = 0; k < 3; k++) p[k] = SHI_SELECT(small, a0[k] + (rule[3 * j] * e[k] + rule[3 * j + 1] * f[k]), one);
+                ir = one / SHI_SQRT(p[0] * p[0] + p[1] * p[1] + p[2] * p[2]);
                 for (k = 0; k < 3; k++) o[k] = p[k] * ir;
                 o[3] = rule[3 * j + 2] * (ir * ir * ir) * small_factor;
                 o[4] = o[3] * ir;
@@ -4378,6 +4378,7 @@ SHI_INLINE int shi_scene_arc(const shi_scene *p, size_t i, shi_arc *e)
     e->dot = shi_dot3(v, v) + shi_dot3(v, u);
     size = sqrt(shi_dot3(e->normal, e->normal));
     e->gamma = 0;
+    if (r < 1e-140) return -1;                              /* the extent is 1: the point is the vertex */
     if (size < 1e-290) return e->dot > 0 ? 0 : -1;
     for (k = 0; k < 3; k++) {
         e->mu[k] = e->normal[k] / size;
@@ -4468,27 +4469,32 @@ SHI_INLINE double shi_corner_angle(const shi_corner *a, const shi_corner *b)
 SHI_INLINE double shi_corner_middle(const shi_corner *a, const shi_corner *b, shi_corner *middle)
 {
     double d[3], size;
-    int k;
+    int k, done = 0;
     for (k = 0; k < 3; k++) d[k] = a->v[k] + b->v[k];
     size = sqrt(shi_dot3(d, d));
     if (size < 1 && a->exact && b->exact) {
         shi_two e[3], n[3];
-        double u[3], chord, length;
+        double u[3], chord, length, largest = 0;
         for (k = 0; k < 3; k++) e[k] = shi_two_minus(b->exact[k], a->exact[k]);
         shi_two_cross(a->exact, e, n);
         for (k = 0; k < 3; k++) {
-            u[k] = n[k].h;
+            if (fabs(n[k].h) > largest) largest = fabs(n[k].h);
             d[k] = b->v[k] - a->v[k];
         }
-        length = sqrt(shi_dot3(u, u));
-        chord = sqrt(shi_dot3(d, d));
-        shi_cross3(d, u, middle->v);
-        for (k = 0; k < 3; k++) middle->v[k] /= length * chord;
-        size = 2 * length * a->v[3] * b->v[3] / chord;          /* 2 cos(g/2) = sin g / sin(g/2) */
-    } else {
-        for (k = 0; k < 3; k++) middle->v[k] = d[k] / size;
+        if (largest > 0) {
+            for (k = 0; k < 3; k++) u[k] = n[k].h / largest;
+            length = sqrt(shi_dot3(u, u));
+            chord = sqrt(shi_dot3(d, d));
+            shi_cross3(d, u, middle->v);
+            for (k = 0; k < 3; k++) middle->v[k] /= length * chord;
+            done = 1;
+            size = 2 * (largest * a->v[3]) * (length * b->v[3]) / chord;        /* 2 cos(g/2) = sin g / sin(g/2) */
+        }
     }
+    if (!(size > 1e-200)) size = 1;                         /* opposite beyond all digits: anything finite */
+    for (k = 0; !done && k < 3; k++) middle->v[k] = d[k] / size;
     middle->v[3] = (a->v[3] + b->v[3]) / size;
+    if (middle->v[3] > 1e150) middle->v[3] = 1e150;
     middle->exact = NULL;
     return size;
 }
@@ -4516,6 +4522,7 @@ SHI_NOINLINE void shi_triangle_nodes(shi_sink *sink, const shi_corner *c0, const
             const int o = longest == g[(w + 1) % 3] ? (w + 1) % 3 : (w + 2) % 3;
             shi_corner middle;
             det /= shi_corner_middle(p[(o + 1) % 3], p[(o + 2) % 3], &middle);
+            det = det > 1 ? 1 : det < -1 ? -1 : det;        /* of unit vectors */
             shi_triangle_nodes(sink, p[o], p[(o + 1) % 3], &middle, det, depth + 1);
             shi_triangle_nodes(sink, p[o], &middle, p[(o + 2) % 3], det, depth + 1);
             return;
@@ -4588,6 +4595,7 @@ SHI_NOINLINE int shi_polygon_engine(int bands, int sides, int tight, const doubl
         shi_scene_edge(&scene, 0, i + 1, d2);
         shi_two_cross(d1, d2, n);
         det = shi_two_dot(first, n).h;
+        if (fabs(det) < 1e-280) det = 0;
         shi_scene_vertex(&scene, i, a);
         shi_scene_vertex(&scene, i + 1, b);
         for (k = 0; k < 3; k++) {
@@ -4689,15 +4697,16 @@ SHI_NOINLINE int shi_polygon_engine(int bands, int sides, int tight, const doubl
         for (i = 1; i + 1 < count; i++) {
             shi_two d1[3], d2[3], n[3], v[3][3];
             shi_corner c[3];
-            double det, product = 1;
+            double det, unit;
             shi_scene_edge(&scene, 0, i, d1);
             shi_scene_edge(&scene, 0, i + 1, d2);
             shi_two_cross(d1, d2, n);
             det = shi_two_dot(first, n).h;
-            if (det == 0) continue;
+            if (fabs(det) < 1e-280) continue;
             shi_scene_vertex(&scene, 0, v[0]);
             shi_scene_vertex(&scene, i, v[1]);
             shi_scene_vertex(&scene, i + 1, v[2]);
+            unit = det;
             for (m = 0; m < 3; m++) {
                 double r;
                 for (k = 0; k < 3; k++) c[m].v[k] = v[m][k].h;
@@ -4705,10 +4714,11 @@ SHI_NOINLINE int shi_polygon_engine(int bands, int sides, int tight, const doubl
                 for (k = 0; k < 3; k++) c[m].v[k] /= r;
                 c[m].v[3] = 1 / r;
                 c[m].exact = v[m];
-                product *= r;
+                unit /= r;                                  /* to the determinant of the directions */
             }
+            unit = unit > 1 ? 1 : unit < -1 ? -1 : unit;
             shi_sink_clear(&sink);
-            shi_triangle_nodes(&sink, &c[0], &c[1], &c[2], det / product, 0);
+            shi_triangle_nodes(&sink, &c[0], &c[1], &c[2], unit, 0);
             shi_sink_add(&sink, s, t);
             for (l = 0; l < used; l++) totals[l] += s[l];
             if (!grad) continue;

@@ -21,7 +21,7 @@ static const char *fuzz##F(const T *in, int vertices, int bands, int sides, int 
     (void)touched;                                                                                                     \
     status = sh_polygon##F(bands, sides, point, (size_t)vertices, v, c, g);                                            \
     if (status < 0) return status == SH_ERROR_NOT_FINITE && !finite##F(in, (size_t)(3 + 3 * vertices)) ? NULL : "sh_polygon refuses"; \
-    if (!finite##F(c, n) || !finite##F(g, 3 * n)) return "sh_polygon";                                                 \
+    if (!finite##F(c, n) || !finite##F(g, 3 * n)) return finite##F(c, n) ? "sh_polygon gradient" : "sh_polygon";                                                 \
     if (c[0] * c[0] > (T)(sides == SH_SIGNED ? 400 : 400) * (T)vertices * (T)vertices) return "sh_polygon, too bright"; \
     if (sh_polygon_solid_angle##F(sides, point, (size_t)vertices, v, &omega, g) < 0 || !finite##F(&omega, 1) || !finite##F(g, 3)) return "sh_polygon_solid_angle"; \
     if (sh_triangle_as_sphere##F(bands, sides, point, v, v + 3, v + 6, c, g, &error) < 0 || !finite##F(c, n) || !finite##F(g, 3 * n) || !finite##F(&error, 1)) return "sh_triangle_as_sphere"; \
@@ -73,14 +73,14 @@ static int run(const uint8_t *data, size_t size)
     bad = fuzz_f32(f, vertices, bands, sides, kind);
     if (bad) {
         printf("%s_f32: bands %d sides %d vertices %d kind %d:", bad, bands, sides, vertices, kind);
-        for (i = 0; i < 3 + 3 * vertices; i++) printf(" %.9g", (double)f[i]);
+        for (i = 0; i < 12 + 3 * vertices; i++) printf(" %.9g", (double)f[i]);
         printf("\n");
         return 1;
     }
     bad = fuzz_f64(d, vertices, bands, sides, kind);
     if (bad) {
         printf("%s_f64: bands %d sides %d vertices %d kind %d:", bad, bands, sides, vertices, kind);
-        for (i = 0; i < 3 + 3 * vertices; i++) printf(" %.17g", d[i]);
+        for (i = 0; i < 12 + 3 * vertices; i++) printf(" %.17g", d[i]);
         printf("\n");
         return 1;
     }
