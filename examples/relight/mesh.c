@@ -236,6 +236,7 @@ static void read_face(reader *r, mesh *m, char *s)
 void mesh_read_obj(mesh *m, const char *path, char up)
 {
     char *text = read_text(path), *s = text;
+    double volume = 0;
     reader r;
     int i;
 
@@ -258,7 +259,16 @@ void mesh_read_obj(mesh *m, const char *path, char up)
         s += *s == '\n';
     }
     if (m->triangles == 0) die("%s holds no face", path);
-    for (i = 0; i < m->vertices; i++) m->v[i].n = unit(m->v[i].n);
+    for (i = 0; i < m->triangles; i++) {
+        const int *v = m->t[i].v;
+        volume += (double)dot(m->v[v[0]].p, cross(m->v[v[1]].p, m->v[v[2]].p));
+    }
+    for (i = 0; volume < 0 && i < m->triangles; i++) {     /* inside out: the faces run clockwise */
+        const int second = m->t[i].v[1];
+        m->t[i].v[1] = m->t[i].v[2];
+        m->t[i].v[2] = second;
+    }
+    for (i = 0; i < m->vertices; i++) m->v[i].n = unit(mul(m->v[i].n, volume < 0 && r.with[i] < 0 ? -1 : 1));
     free(r.position); free(r.normal); free(r.head); free(r.next); free(r.with);
     free(text);
 }

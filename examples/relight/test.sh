@@ -48,7 +48,8 @@ n='vn 0 -1 0\nvn -1 0 0\nvn 0 0 -1\nvn 1 1 1\n'
 v='v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nvt 0 0\n'
 for faces in 'f 1//1 2//1 4//1\nf 1//2 4//2 3//2\nf 1//3 3//3 2//3\nf 2//4 3//4 4//4\n' \
              'f 1/1/1 2/1/1 4/1/1\r\nf 1/1/2\t4/1/2 3/1/2 \r\nf 1/1/3 3/1/3 2/1/3\r\nf 2/1/4 3/1/4 4/1/4' \
-             '# negative\nf -4//-4 -3//-4 -1//-4\nf -4//-3 -1//-3 -2//-3\nf -4//-2 -2//-2 -3//-2\nf -3//-1 -2//-1 -1//-1\n'
+             '# negative\nf -4//-4 -3//-4 -1//-4\nf -4//-3 -1//-3 -2//-3\nf -4//-2 -2//-2 -3//-2\nf -3//-1 -2//-1 -1//-1\n' \
+             '# clockwise\nf 1//1 4//1 2//1\nf 1//2 3//2 4//2\nf 1//3 2//3 3//3\nf 2//4 4//4 3//4\n'
 do
     obj "$v$n$faces"
     "$relight" $quick --lights 50 --bands 3 --mesh "$out/test.obj" --out "$out/form" >/dev/null
@@ -62,6 +63,10 @@ rm "$out/first.png"
 "$relight" $quick --threads 3 --out "$out/three" >"$out/three.txt"
 cmp "$out/one.png" "$out/three.png"
 cmp "$out/one-error.png" "$out/three-error.png"
-awk '/^trilinear +16\^3/ { linear = $5 } /^edge Hermite +8\^3/ { n++; if (!($6 > 0 && $6 < linear)) bad = 1;
-     printf "relight: MAE x 1e3 of edge Hermite 8^3 %s, of trilinear 16^3 %s\n", $6, linear } END { exit bad || n != 2 }' "$out/one.txt"
+awk '/^trilinear +16\^3/ { linear = $5 } /^edge Hermite +8\^3/ { n++; if (!($6 > 0 && $6 < linear)) bad = 1
+     printf "relight: MAE x 1e3 of edge Hermite 8^3 %s, of trilinear 16^3 %s\n", $6, linear } END { exit bad || n != 2 }' "$out/one.txt" ||
+    { echo "FAIL: relight: edge Hermite on 8^3 nodes does not beat trilinear on 16^3"; exit 1; }
+awk '/^a square/ { fine = $8 } /^the square/ { n++; if (!(fine > 0 && fine < $8 / 4)) bad = 1
+     printf "relight: MAE x 1e3 of 50 triangles as spheres %s, of 2 %s\n", fine, $8 } END { exit bad || n != 1 }' "$out/one.txt" ||
+    { echo "FAIL: relight: small triangles are not better spheres than large ones"; exit 1; }
 echo "relight: ok"
