@@ -21,6 +21,7 @@
  *
  * DOES NOT    allocate, keep state, read errno, print. Arrays need no alignment. In and out may be the same array, or must not
  *             overlap (SH_ERROR_OVERLAP). NaN and Inf in coefficients go through; in geometry they are an error.
+ *             Stack, f64 (f32: half): triple product 50 KB, sh_minimum and sh_dering 85 KB, the others 18 KB at most.
  *
  * ERROR       c = the input vector, |.| its 2-norm, worst over the output: rotation and cosine products
  *             16 eps |c| to 6 bands, 40 eps |c| to 16; triple product the same with |a| |b|. `make test` prints what is seen.
@@ -950,94 +951,96 @@ SHI_INLINE void SHI_KN(shi_turn_back)(int l, SHI_V *d, const SHI_V *c, const SHI
     }
 }
 
-/* out[i] = sum_j k[i][j] in[j], elements a step apart */
-SHI_INLINE void SHI_KN(shi_rows)(int rows, int columns, const SHI_T *k, const SHI_V *in, SHI_V *out, int step)
+/* out[i] = sum_j k[i][j] in[j], n <= 8, rows of k a pitch apart, elements of in and out a step; all of in is read first. One
+ * body per n: with the loops gone the branches are, too. */
+SHI_KERNEL void SHI_KN(shi_square_of)(const int n, int pitch, const SHI_T *k, const SHI_V *in, int in_step, SHI_V *out, int step)
 {
+    SHI_V v[SH_PRODUCT_BANDS / 2];
     int i, j;
-    for (i = 0; i + 1 < rows; i += 2, k += 2 * columns, out += 2 * step) {
-        SHI_V a = k[0] * in[0], b = k[columns] * in[0];
-        for (j = 1; j < columns; j++) {
-            a += k[j] * in[j];
-            b += k[columns + j] * in[j];
-        }
-        out[0] = a;
-        out[step] = b;
-    }
-    if (i < rows) {
-        SHI_V a = k[0] * in[0];
-        for (j = 1; j < columns; j++) a += k[j] * in[j];
-        out[0] = a;
+
+    SHI_UNROLL
+    for (j = 0; j < n; j++) v[j] = in[j * in_step];
+    SHI_UNROLL
+    for (i = 0; i < n; i++) {
+        SHI_V a = k[i * pitch] * v[0];
+        SHI_UNROLL
+        for (j = 1; j < n; j++) a += k[i * pitch + j] * v[j];
+        out[i * step] = a;
     }
 }
 
-SHI_INLINE void SHI_KN(shi_columns)(int rows, int columns, const SHI_T *k, const SHI_V *in, SHI_V *out, int step)
+SHI_NOINLINE void SHI_KN(shi_square)(int n, int pitch, const SHI_T *k, const SHI_V *in, int in_step, SHI_V *out, int step)
 {
+    switch (n) {
+    case 1: SHI_KN(shi_square_of)(1, pitch, k, in, in_step, out, step); break;
+    case 2: SHI_KN(shi_square_of)(2, pitch, k, in, in_step, out, step); break;
+    case 3: SHI_KN(shi_square_of)(3, pitch, k, in, in_step, out, step); break;
+    case 4: SHI_KN(shi_square_of)(4, pitch, k, in, in_step, out, step); break;
+    case 5: SHI_KN(shi_square_of)(5, pitch, k, in, in_step, out, step); break;
+    case 6: SHI_KN(shi_square_of)(6, pitch, k, in, in_step, out, step); break;
+    case 7: SHI_KN(shi_square_of)(7, pitch, k, in, in_step, out, step); break;
+    case 8: SHI_KN(shi_square_of)(8, pitch, k, in, in_step, out, step); break;
+    default: break;
+    }
+}
+
+/* p = k q and q = k^T p at once */
+SHI_KERNEL void SHI_KN(shi_exchange_of)(const int n, const SHI_T *k, SHI_V *p, SHI_V *q)
+{
+    SHI_V a[SH_PRODUCT_BANDS / 2], b[SH_PRODUCT_BANDS / 2];
     int i, j;
-    for (j = 0; j < columns; j++, k++, out += step) {
-        SHI_V a = k[0] * in[0];
-        for (i = 1; i < rows; i++) a += k[i * columns] * in[i];
-        out[0] = a;
+
+    SHI_UNROLL
+    for (j = 0; j < n; j++) { a[j] = p[2 * j]; b[j] = q[-2 * j]; }
+    SHI_UNROLL
+    for (i = 0; i < n; i++) {
+        SHI_V s = k[i * n] * b[0], t = k[i] * a[0];
+        SHI_UNROLL
+        for (j = 1; j < n; j++) {
+            s += k[i * n + j] * b[j];
+            t += k[j * n + i] * a[j];
+        }
+        p[2 * i] = s;
+        q[-2 * i] = t;
     }
 }
 
 /* Exchange y and z in band l. A basis function is even or odd in x, y and z; the swap keeps x and exchanges the other
  * two, so of the classes cos even m, cos odd m, sin even m, sin odd m two map to themselves and two to each other. */
-SHI_INLINE const SHI_T *SHI_KN(shi_swap_self)(int n, const SHI_T *k, SHI_V *d, int step)
+SHI_NOINLINE void SHI_KN(shi_swap)(int l, const SHI_T *k, SHI_V *d)
 {
-    SHI_V in[SH_PRODUCT_BANDS / 2 + 1];
-    int i;
-    if (n < 1) return k;
-    for (i = 0; i < n; i++) in[i] = d[i * step];
-    SHI_KN(shi_rows)(n, n, k, in, d, step);
-    return k + n * n;
-}
-
-SHI_INLINE void SHI_KN(shi_swap)(int l, const SHI_T *k, SHI_V *d)
-{
-    SHI_V a[SH_PRODUCT_BANDS / 2 + 1], b[SH_PRODUCT_BANDS / 2 + 1];
     const int half = (l + 1) / 2;
-    int i, p, q;
+    SHI_V *p, *q;
 
     if (l % 2 == 0) {
-        k = SHI_KN(shi_swap_self)(half + 1, k, d, 2);
-        k = SHI_KN(shi_swap_self)(half, k, d - 1, -2);
-        p = 1; q = -2;
+        SHI_KN(shi_square)(half + 1, half + 1, k, d, 2, d, 2);
+        k += (half + 1) * (half + 1);
+        SHI_KN(shi_square)(half, half, k, d - 1, -2, d - 1, -2);
+        k += half * half;
+        p = d + 1;
+        q = d - 2;
     } else {
-        k = SHI_KN(shi_swap_self)(half, k, d + 1, 2);
-        k = SHI_KN(shi_swap_self)(half - 1, k, d - 2, -2);
-        p = 0; q = -1;
+        SHI_KN(shi_square)(half, half, k, d + 1, 2, d + 1, 2);
+        k += half * half;
+        SHI_KN(shi_square)(half - 1, half - 1, k, d - 2, -2, d - 2, -2);
+        k += (half - 1) * (half - 1);
+        p = d;
+        q = d - 1;
     }
-    if (half < 1) return;
-    for (i = 0; i < half; i++) { a[i] = d[p + 2 * i]; b[i] = d[q - 2 * i]; }
-    SHI_KN(shi_rows)(half, half, k, b, d + p, 2);
-    SHI_KN(shi_columns)(half, half, k, a, d + q, -2);
+    switch (half) {
+    case 1: SHI_KN(shi_exchange_of)(1, k, p, q); break;
+    case 2: SHI_KN(shi_exchange_of)(2, k, p, q); break;
+    case 3: SHI_KN(shi_exchange_of)(3, k, p, q); break;
+    case 4: SHI_KN(shi_exchange_of)(4, k, p, q); break;
+    case 5: SHI_KN(shi_exchange_of)(5, k, p, q); break;
+    case 6: SHI_KN(shi_exchange_of)(6, k, p, q); break;
+    case 7: SHI_KN(shi_exchange_of)(7, k, p, q); break;
+    case 8: SHI_KN(shi_exchange_of)(8, k, p, q); break;
+    default: break;
+    }
 }
 
 /* Multiply by max(0, z). In column m a row l meets l +- 2, 4, ... through a square of its parity, and l +- 1. */
-SHI_INLINE void SHI_KN(shi_clamp_square)(int n, int stride, const SHI_T *k, const SHI_V *p, const SHI_V *q, SHI_V *a, SHI_V *b)
-{
-    int i, j;
-    for (i = 0; i + 1 < n; i += 2, k += 2 * stride) {
-        SHI_V s = k[0] * p[0], t = k[0] * q[0], u = k[stride] * p[0], v = k[stride] * q[0];
-        for (j = 1; j < n; j++) {
-            s += k[j] * p[2 * j];
-            t += k[j] * q[2 * j];
-            u += k[stride + j] * p[2 * j];
-            v += k[stride + j] * q[2 * j];
-        }
-        a[2 * i] = s; b[2 * i] = t;
-        a[2 * i + 2] = u; b[2 * i + 2] = v;
-    }
-    if (i < n) {
-        SHI_V s = k[0] * p[0], t = k[0] * q[0];
-        for (j = 1; j < n; j++) {
-            s += k[j] * p[2 * j];
-            t += k[j] * q[2 * j];
-        }
-        a[2 * i] = s; b[2 * i] = t;
-    }
-}
-
 SHI_INLINE void SHI_KN(shi_clamp)(int bands, const SHI_T *k, SHI_V *d)
 {
     SHI_V p[SH_PRODUCT_BANDS + 1], q[SH_PRODUCT_BANDS + 1], a[SH_PRODUCT_BANDS + 1], b[SH_PRODUCT_BANDS + 1];
@@ -1050,9 +1053,11 @@ SHI_INLINE void SHI_KN(shi_clamp)(int bands, const SHI_T *k, SHI_V *d)
             p[i] = d[at + m];
             q[i] = d[at - m];
         }
-        SHI_KN(shi_clamp_square)((n + 1) / 2, even, k, p, q, a, b);
+        SHI_KN(shi_square)((n + 1) / 2, even, k, p, 2, a, 2);
+        SHI_KN(shi_square)((n + 1) / 2, even, k, q, 2, b, 2);
         k += even * even;
-        SHI_KN(shi_clamp_square)(n / 2, odd, k, p + 1, q + 1, a + 1, b + 1);
+        SHI_KN(shi_square)(n / 2, odd, k, p + 1, 2, a + 1, 2);
+        SHI_KN(shi_square)(n / 2, odd, k, q + 1, 2, b + 1, 2);
         k += odd * odd;
         for (i = 0; i < n; i++) {
             const int at = (m + i) * (m + i + 1);
@@ -1241,7 +1246,7 @@ SHI_INLINE void SHI_KN(shi_quadratic)(const SHI_T k[10], const SHI_V n[3], SHI_V
 /* ---- from arrays to lanes and back ---- */
 
 /* a[i] lane j <-> a[j] lane i */
-SHI_KERNEL void SHI_KN(shi_square)(SHI_V *a)
+SHI_KERNEL void SHI_KN(shi_mirror_lanes)(SHI_V *a)
 {
 #if SHI_LANES > 1
     SHI_V b[SHI_W];
@@ -1277,7 +1282,7 @@ SHI_INLINE void SHI_KN(shi_enter)(int n, int plain, size_t first, size_t count, 
         SHI_V a[SHI_W];
         SHI_UNROLL
         for (i = 0; i < SHI_W; i++) a[i] = SHI_LOAD(from[i] + r);
-        SHI_KN(shi_square)(a);
+        SHI_KN(shi_mirror_lanes)(a);
         SHI_UNROLL
         for (i = 0; i < SHI_W; i++) d[r + i] = a[i];
         if (r + SHI_W >= n) return;
@@ -1307,7 +1312,7 @@ SHI_INLINE void SHI_KN(shi_leave)(int n, int plain, size_t first, size_t count, 
             SHI_V a[SHI_W];
             SHI_UNROLL
             for (i = 0; i < SHI_W; i++) a[i] = d[r + i];
-            SHI_KN(shi_square)(a);
+            SHI_KN(shi_mirror_lanes)(a);
             SHI_UNROLL
             for (i = 0; i < SHI_W; i++) SHI_STORE(out + (size_t)i * size + r, a[i]);
             if (r + SHI_W >= n) return;

@@ -501,6 +501,10 @@ static void F(batches)(void **state)
         assert_int_equal(F(sh_cosine_product_blocks)(bands, BLOCKS, bn, block, bout), SH_OK);
         for (v = 0; v < COUNT; v++)
             for (i = 0; i < n; i++) assert_true(bout[(v / 8 * n + i) * 8 + v % 8] == all[v * n + i]);
+        for (v = 0; v < COUNT; v++) F(sh_diffuse)(bands, normals + 3 * v, c, one + v);
+        F(sh_diffuse_n)(bands, c, COUNT, normals, all);
+        assert_memory_equal(one, all, COUNT * sizeof *one);
+        F(sh_cosine_product_n)(bands, COUNT, normals, c, all);
         memcpy(one, all, sizeof one);
         for (i = 0; i < 3; i++) normals[3 * 5 + i] = 0;
         normals[3 * 17] = (T)NAN;
@@ -603,6 +607,23 @@ static void F(refusals)(void **state)
     assert_int_equal(F(sh_mirror)(3, 3, 1, a, out), SH_ERROR_OPTION);
     assert_int_equal(F(sh_convolve)(3, NULL, a, out), SH_ERROR_NULL);
     assert_int_equal(F(sh_diffuse)(33, normal, a, out), SH_ERROR_BANDS);
+    {   /* NaN and Inf in coefficients go through, and stay in their band or order where the operation does */
+        T c[25] = { 0 }, d[25];
+        int i, bad = 0;
+        c[6] = (T)NAN;
+        assert_int_equal(F(sh_rotate)(5, &r, 1, c, d), SH_OK);
+        for (i = 0; i < 25; i++) {
+            const T v[1] = { d[i] };
+            const int finite = F(shi_finite)(v, 1);
+            bad += !finite;
+            if (i < 4 || i > 8) assert_true(finite);
+        }
+        assert_true(bad > 0);
+        assert_int_equal(F(sh_cosine_product)(5, normal, c, d), SH_OK);
+        assert_false(F(shi_finite)(d, 25));
+        assert_int_equal(F(sh_triple_product)(5, c, c, d), SH_OK);
+        assert_false(F(shi_finite)(d, 25));
+    }
 }
 
 #endif
