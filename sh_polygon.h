@@ -4342,17 +4342,24 @@ SHI_INLINE void shi_scene_open(shi_scene *scene, const double point[3], size_t c
     scene->scale = ldexp(1, -2 - (k > 1000 ? 1000 : k < -1000 ? -1000 : k));
 }
 
+/* a - b; below 1e-60 of the extent, 0, so that no product of three leaves the range of double */
+SHI_INLINE shi_two shi_scene_difference(double a, double b)
+{
+    shi_two d = shi_two_sum(a, -b);
+    if (fabs(d.h) < 1e-60) d.h = d.l = 0;
+    return d;
+}
 /* vertex i minus the point, and vertex j minus vertex i, exactly */
 SHI_INLINE void shi_scene_vertex(const shi_scene *p, size_t i, shi_two v[3])
 {
     int k;
-    for (k = 0; k < 3; k++) v[k] = shi_two_sum(p->scale * shi_scene_read(p, 3 * i + (size_t)k), -p->scale * p->point[k]);
+    for (k = 0; k < 3; k++) v[k] = shi_scene_difference(p->scale * shi_scene_read(p, 3 * i + (size_t)k), p->scale * p->point[k]);
 }
 SHI_INLINE void shi_scene_edge(const shi_scene *p, size_t i, size_t j, shi_two e[3])
 {
     int k;
     for (k = 0; k < 3; k++)
-        e[k] = shi_two_sum(p->scale * shi_scene_read(p, 3 * j + (size_t)k), -p->scale * shi_scene_read(p, 3 * i + (size_t)k));
+        e[k] = shi_scene_difference(p->scale * shi_scene_read(p, 3 * j + (size_t)k), p->scale * shi_scene_read(p, 3 * i + (size_t)k));
 }
 
 /* Edge i -> i+1 from A to B: N = A x (B-A) and what MATH calls w, lambda, mu, gamma, k0, k1. 0 if it is seen as a point;
@@ -4468,13 +4475,13 @@ SHI_INLINE double shi_corner_angle(const shi_corner *a, const shi_corner *b)
 /* the corner between a and b; returns |a + b| of their directions, of full relative accuracy near opposite ones */
 SHI_INLINE double shi_corner_middle(const shi_corner *a, const shi_corner *b, shi_corner *middle)
 {
-    double d[3], size;
+    double d[3], size, chord;
     int k, done = 0;
     for (k = 0; k < 3; k++) d[k] = a->v[k] + b->v[k];
     size = sqrt(shi_dot3(d, d));
     if (size < 1 && a->exact && b->exact) {
         shi_two e[3], n[3];
-        double u[3], chord, length, largest = 0;
+        double u[3], length, largest = 0;
         for (k = 0; k < 3; k++) e[k] = shi_two_minus(b->exact[k], a->exact[k]);
         shi_two_cross(a->exact, e, n);
         for (k = 0; k < 3; k++) {
@@ -4493,6 +4500,9 @@ SHI_INLINE double shi_corner_middle(const shi_corner *a, const shi_corner *b, sh
     }
     if (!(size > 1e-200)) size = 1;                         /* opposite beyond all digits: anything finite */
     for (k = 0; !done && k < 3; k++) middle->v[k] = d[k] / size;
+    chord = shi_dot3(middle->v, middle->v);
+    if (!(chord > 0.5 && chord < 2))
+        for (k = 0; k < 3; k++) middle->v[k] = a->v[k];
     middle->v[3] = (a->v[3] + b->v[3]) / size;
     if (middle->v[3] > 1e150) middle->v[3] = 1e150;
     middle->exact = NULL;
@@ -4541,6 +4551,7 @@ SHI_NOINLINE void shi_triangle_nodes(shi_sink *sink, const shi_corner *c0, const
             for (k = 0; k < 3; k++) gap += (q[k] - c[k]) * (q[k] - c[k]);
             gap *= 0.5;                                                     /* 1 - cos d */
             cosine = shi_dot3(c, q);
+            if (!(cosine > -0.9 && gap < 1.9)) continue;                    /* only where halving found no end */
             weight *= det * ratio / (1 + cosine);
             for (j = 0; j < n2; j++) {
                 double v, u[4];
@@ -5461,7 +5472,7 @@ SHI_INLINE int SHI_FN(shi_zonal_point)(int n, int planes, int sides, const SHI_T
                                        const SHI_T *radiance, int vectors, const SHI_MANY(shi_vector) *dirs, const SHI_T *weights,
                                        const double *exact_steps, SHI_MANY(shi_vector) *sums, SHI_T *out)
 {
-    const int size = n * n, lanes = SHI_MANY(shi_polygon_lanes);
+    const int size = n * n;
     const SHI_T *v = vertices;
     double extra[4 * SH_MAX_POLYGON_BANDS * SH_MAX_POLYGON_BANDS], point[3];
     SHI_T steps[5 * SH_MAX_POLYGON_BANDS];
@@ -5495,7 +5506,10 @@ SHI_INLINE int SHI_FN(shi_zonal_point)(int n, int planes, int sides, const SHI_T
             double exact[14];
             SHI_T edge[14];
             if (!shi_zonal_edge(&scene, i, exact)) continue;
-            for (k = 0; k < 14; k++) edge[k] = (SHI_T)exact[k];
+            for (k = 0; k < 14; k++) {                      /* 1/distance may leave the range of T */
+                const double most = SHI_BITS == 32 ? 1e15 : 1e120;
+                edge[k] = (SHI_T)(exact[k] > most ? most : exact[k] < -most ? -most : exact[k]);
+            }
             for (d = 0; d < vectors; d++) {
                 /* the factor rides on the axis-free part: mu and with it c D and mu G */
                 SHI_MANY(shi_vector) one_s[SH_MAX_POLYGON_BANDS], one_g[3 * SH_MAX_POLYGON_BANDS];
@@ -5509,7 +5523,6 @@ SHI_INLINE int SHI_FN(shi_zonal_point)(int n, int planes, int sides, const SHI_T
         }
         for (d = 0; d < vectors; d++) sums[d * 4 * n] += f * (SHI_T)-signed_omega;
     }
-    (void)lanes;
     for (k = 0; k < planes; k++) {
         SHI_MANY(shi_polygon_lobe_sum)(n, vectors, weights, sums + k * n, out + k * size);
         for (l = 0; any && l < size; l++) out[k * size + l] = SHI_FN(shi_polygon_round)((double)out[k * size + l] + extra[k * size + l]);
