@@ -10,7 +10,26 @@
 static void lamp(scene *s, vec3 a, vec3 b, vec3 c)
 {
     mesh_add(&s->m, a, b, c, LAMP);
-    s->lamps++;
+    s->p.count++;
+}
+
+/* The arrays that sh_polygon.h reads, from the last triangles of the mesh. */
+static void collect(scene *s)
+{
+    const size_t count = (size_t)s->p.count;
+    const triangle *t = s->m.t + s->m.triangles - s->p.count;
+    size_t i;
+    int k;
+
+    s->p.sides = need(NULL, count, sizeof *s->p.sides);
+    s->p.vertex = need(NULL, 9 * count, sizeof *s->p.vertex);
+    s->p.radiance = need(NULL, 3 * count, sizeof *s->p.radiance);
+    for (i = 0; i < count; i++)
+        for (k = 0; k < 3; k++) {
+            s->p.sides[i] = 3;
+            s->p.radiance[(size_t)k * count + i] = lamp_radiance[k];
+            memcpy(s->p.vertex + 9 * i + 3 * k, &s->m.v[t[i].v[k]].p, 3 * sizeof(float));
+        }
 }
 
 /* A square in 2 n^2 triangles, with corner at and edges u and v. */
@@ -52,7 +71,7 @@ void lamps_compare(const scene *room, const float *blocked, int bands, int nodes
            nodes);
     printf("%-26s %12s %12s %10s\n", "light", "exact ms", "spheres ms", "MAE x 1e3");
     for (row = 0; row < 3; row++) {
-        method of[2] = { { "exact", SH_EDGE_HERMITE, nodes, SH_GRADIENT, TRIANGLES, 0, 0, 0, NULL },
+        method of[2] = { { "exact", SH_EDGE_HERMITE, nodes, SH_GRADIENT, POLYGONS, 0, 0, 0, NULL },
                          { "as spheres", SH_EDGE_HERMITE, nodes, SH_GRADIENT, TRIANGLES_AS_SPHERES, 0, 0, 0, NULL } };
         const size_t values = 3 * (size_t)width * (size_t)height;
         scene s = *room;
@@ -64,7 +83,8 @@ void lamps_compare(const scene *room, const float *blocked, int bands, int nodes
         mesh_copy(&s.m, &room->m);
         if (row == 2) hang_star(&s, at, u, v, 16);
         else hang_square(&s, at, u, v, row ? 1 : pieces);
-        sprintf(name, format[row], s.lamps);
+        collect(&s);
+        sprintf(name, format[row], s.p.count);
         view_trace(&w, &s, width, height);
         picture_glow(&w);
         shade(&s, &w, blocked, bands, of, 2);
@@ -82,6 +102,7 @@ void lamps_compare(const scene *room, const float *blocked, int bands, int nodes
             free(picture[i]);
         }
         free(of[0].rgb); free(of[1].rgb); free(w.at); free(w.glow); free(s.m.v); free(s.m.t);
+        free(s.p.sides); free(s.p.vertex); free(s.p.radiance);
     }
     sheet_write(&out, path);
 }

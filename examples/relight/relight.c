@@ -175,7 +175,7 @@ static void compare(const scene *s, const view *w, const float *blocked, const o
 int main(int argc, char **argv)
 {
     const options o = parse(argc, argv);
-    char lamps[256];
+    char polygons[256];
     scene s;
     view w;
     float *blocked;
@@ -192,9 +192,9 @@ int main(int argc, char **argv)
         compare(&s, &w, blocked, &o, 5);
         compare(&s, &w, blocked, &o, 9);
     }
-    sprintf(lamps, "%.200s-polygons.png", o.out);
+    sprintf(polygons, "%.200s-polygons.png", o.out);
     lamps_compare(&s, blocked, o.bands ? o.bands : 9, o.grid, o.quick ? 5 : 19, o.width / 2, o.height / 2,
-                  lamps);
+                  polygons);
     free(s.m.v); free(s.m.t); free(s.l.sphere); free(s.l.radiance); free(w.at); free(w.glow); free(blocked);
     return 0;
 }

@@ -59,11 +59,13 @@ void mesh_add_room(mesh *m, vec3 low, vec3 high, float step);
 /* scene.c */
 typedef struct { float albedo[3], f0, alpha; } material;
 typedef struct { float *sphere /* [4][count] x y z r */, *radiance /* [3][count] */; int count; } lights;
+typedef struct { float *vertex /* [3 count][3] */, *radiance /* [3][count] */; int *sides /* [count] 3 */, count; } lamps;
 typedef struct { vec3 eye, at; float width /* of the view at distance 1 */; } camera;
 typedef struct {
     mesh m;
-    int casters, lamps;                                      /* its first triangles cast shadows, its last are lights */
+    int casters;                                             /* its first triangles, which cast shadows */
     lights l;
+    lamps p;                                                 /* triangle lights; they are in the mesh, too */
     camera c;
     vec3 low, high;                                          /* the room, and what a grid covers */
 } scene;
@@ -89,7 +91,7 @@ float *trace_blocked(const scene *s, int bands, int rays);
 
 /* shade.c */
 enum { BANDS = 9, PER_POINT = -1 };                          /* the shadows' bands; a scheme: no grid at all */
-enum { SPHERES, TRIANGLES, TRIANGLES_AS_SPHERES };           /* the lights a grid is made of */
+enum { SPHERES, POLYGONS, TRIANGLES_AS_SPHERES };            /* the lights a grid is made of */
 typedef struct {
     const char *name;
     int scheme, nodes, planes, source;                       /* of sh_interp.h; nodes along each axis of the grid */

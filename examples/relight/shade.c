@@ -24,30 +24,27 @@ static double now(void)
     return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
 }
 
-/* The scene's triangle lights at one node: [3][planes of SH_GRADIENT][n2]. */
-static void add_triangles(const scene *s, const float node[3], int as_spheres, int bands, float *out)
+/* The scene's triangle lights at one node, each as a sphere: out[3][4][n2]. */
+static void add_as_spheres(const lamps *p, const float node[3], int bands, float *out)
 {
-    const int n2 = bands * bands;
+    const int n = 4 * bands * bands;
     float coeffs[4 * MAX_N2];
     int i, j, k;
 
-    for (i = s->m.triangles - s->lamps; i < s->m.triangles; i++) {
-        float v[3][3];
-        for (k = 0; k < 3; k++) memcpy(v[k], &s->m.v[s->m.t[i].v[k]].p, sizeof v[k]);
-        check(as_spheres
-                  ? sh_triangle_as_sphere_f32(bands, SH_BOTH, node, v[0], v[1], v[2], coeffs, coeffs + n2, NULL)
-                  : sh_polygon_f32(bands, SH_BOTH, node, 3, v[0], coeffs, coeffs + n2));
+    for (i = 0; i < p->count; i++) {
+        const float *v = p->vertex + 9 * i;
+        check(sh_triangle_as_sphere_f32(bands, SH_BOTH, node, v, v + 3, v + 6, coeffs, coeffs + n / 4, NULL));
         for (k = 0; k < 3; k++)
-            for (j = 0; j < 4 * n2; j++) out[k * 4 * n2 + j] += lamp_radiance[k] * coeffs[j];
+            for (j = 0; j < n; j++) out[k * n + j] += p->radiance[k * p->count + i] * coeffs[j];
     }
 }
 
-typedef struct { sh_grid_f32 grid; float *coeffs; } field;
+typedef struct { sh_grid_f32 grid; float *coeffs /* [nodes][3][planes][n2] */; } field;
 
 static field field_build(const scene *s, method *m, int bands)
 {
     const size_t size = 3 * (size_t)m->planes * (size_t)(bands * bands);
-    const int n = m->nodes, nodes = n * n * n, step = m->source == SPHERES ? 8 : 1;
+    const int n = m->nodes, nodes = n * n * n, step = m->source == TRIANGLES_AS_SPHERES ? 1 : 16;
     const vec3 cell = mul(sub(s->high, s->low), 1 / (float)(n - 1));
     const double start = now();
     field f = { { { s->low.x, s->low.y, s->low.z }, { cell.x, cell.y, cell.z }, { n, n, n } }, NULL };
@@ -56,16 +53,19 @@ static field field_build(const scene *s, method *m, int bands)
     f.coeffs = need(NULL, (size_t)nodes * size, sizeof *f.coeffs);
 #pragma omp parallel for schedule(dynamic)
     for (i = 0; i < nodes; i += step) {
-        float *out = f.coeffs + (size_t)i * size;
+        const size_t first = (size_t)i, count = (size_t)(nodes - i < step ? nodes - i : step);
+        const vec3 at = vec((float)(i % n) * cell.x, (float)(i / n % n) * cell.y, (float)(i / n / n) * cell.z);
+        const float node[3] = { s->low.x + at.x, s->low.y + at.y, s->low.z + at.z };
+        float *out = f.coeffs + first * size;
+
         if (m->source == SPHERES)
-            check(sh_spheres_grid_f32(bands, m->planes, 3, &f.grid, (size_t)i,
-                                      (size_t)(nodes - i < step ? nodes - i : step), (size_t)s->l.count,
-                                      s->l.sphere, s->l.radiance, out));
-        else {
-            const float node[3] = { s->low.x + cell.x * (float)(i % n), s->low.y + cell.y * (float)(i / n % n),
-                                    s->low.z + cell.z * (float)(i / n / n) };
-            add_triangles(s, node, m->source == TRIANGLES_AS_SPHERES, bands, out);
-        }
+            check(sh_spheres_grid_f32(bands, m->planes, 3, &f.grid, first, count, (size_t)s->l.count, s->l.sphere,
+                                      s->l.radiance, out));
+        else if (m->source == POLYGONS)
+            check(sh_polygons_grid_f32(bands, m->planes, 3, SH_BOTH, &f.grid, first, count, (size_t)s->p.count,
+                                       s->p.sides, s->p.vertex, s->p.radiance, out));
+        else
+            add_as_spheres(&s->p, node, bands, out);
 #pragma omp critical
         progress("grids", (double)(done += step) / nodes);
     }
