@@ -93,7 +93,8 @@ static void   set3(GLuint p, const char *name, vec3 v) { glUniform3f(at(p, name)
 enum { LIGHTS, NODES, MATERIAL_TABLE, AXES, BUFFERS };
 enum { PLACES, NORMALS, EMITTED, OPEN_RAW, OPEN, SHADED, REFERENCE, SHOWN, TARGETS };
 static GLuint buffer[BUFFERS], texels[BUFFERS], vertices, letters, arrays, letter_array, target[TARGETS], depth, canvas[TARGETS], query[PASSES];
-static int    software, light_count, vertex_count, turning_count, target_width, target_height, target_samples;
+static size_t held_nodes;
+static int    held_axes, software, light_count, vertex_count, turning_count, target_width, target_height, target_samples;
 
 static void store(int which, size_t bytes, const void *data)
 {
@@ -130,17 +131,16 @@ static void send_axes(int bands)
     static const double *const weights[] = { shi_weights_3, shi_weights_5, shi_weights_7, shi_weights_9 };
     static float to[17 * 4 + 81 * 17];
     const int set = bands / 2 - 1;
-    static int held;
     int i;
 
-    if (held == bands) return;
+    if (held_axes == bands) return;
     for (i = 0; i < 3 * axes(bands); i++) to[i / 3 * 4 + i % 3] = (float)lobes[set][i];
     for (i = 0; i < bands * bands * axes(bands); i++) {
         const int l = (int)sqrtf((float)(i / axes(bands)) + 0.5f);
         to[17 * 4 + i] = (float)(weights[set][i] * sqrt((2 * l + 1) / 12.566370614359172));
     }
     store(AXES, sizeof to, to);
-    held = bands;
+    held_axes = bands;
 }
 
 void passes_open(const stage *s)
@@ -189,12 +189,15 @@ void passes_close(void)
         glDeleteFramebuffers(TARGETS, canvas);
         glDeleteRenderbuffers(1, &depth);
     }
-    target_width = 0;
+    target_width = held_axes = 0;
+    held_nodes = 0;
 }
 
 void passes_lights(const light *now, int count)
 {
-    store(LIGHTS, (size_t)count * sizeof *now, now);
+    const int room = count > 4096 ? count : 4096;           /* llvmpipe compiles anew for another size */
+    store(LIGHTS, (size_t)room * sizeof *now, NULL);
+    glBufferSubData(GL_SHADER_STORAGE_BUFFER, 0, (GLsizeiptr)((size_t)count * sizeof *now), now);
     light_count = count;
 }
 
@@ -307,10 +310,9 @@ void pass_grid(const settings *o, const stage *s)
     const int form = o->kind == POLYGON_LIGHTS ? LOBES : o->form;
     const int rows = form == FORWARD ? 1 : form == MOMENTS ? 2 * n + 1 : form == LOBES ? axes(n) : 2 * n - 1;
     const size_t bytes = (size_t)nodes * (size_t)(n * n) * 12 * sizeof(float);
-    static size_t held;
     GLuint p;
 
-    if (bytes != held) store(NODES, held = bytes, NULL);
+    if (bytes != held_nodes) store(NODES, held_nodes = bytes, NULL);
     if (form == LOBES) send_axes(n);
     p = use(FILES(sh_glsl, polygon_glsl, grid_comp), NULL, "#define SH_BANDS %d\n#define FORM %d\n#define TRIANGLES %d\n#define LANES %d\n#define ROWS %d\n",
             n, form, o->kind == TRIANGLE_LIGHTS, o->lanes, rows);
