@@ -644,23 +644,45 @@ SHI_KERNEL void SHI_KN(shi_load3)(const SHI_T *p, int lanes, SHI_V v[3])
     v[1] = p[1];
     v[2] = p[2];
 #else
+    SHI_T t[3 * SHI_W];
+    SHI_V a, b, c;
     int i;
-    v[0] = v[1] = v[2] = SHI_SPLAT(0);
-    if (lanes == SHI_W) {
-        SHI_UNROLL
-        for (i = 0; i < SHI_W; i++) {
-            v[0][i] = p[3 * i];
-            v[1][i] = p[3 * i + 1];
-            v[2][i] = p[3 * i + 2];
-        }
-    } else {
-        for (i = 0; i < SHI_W; i++) {
-            const SHI_T *const q = p + 3 * (i < lanes ? i : lanes - 1);
-            v[0][i] = q[0];
-            v[1][i] = q[1];
-            v[2][i] = q[2];
-        }
+    if (lanes < SHI_W) {
+        for (i = 0; i < SHI_W; i++) memcpy(t + 3 * i, p + 3 * (i < lanes ? i : lanes - 1), 3 * sizeof *t);
+        p = t;
     }
+    a = SHI_LOAD(p);
+    b = SHI_LOAD(p + SHI_W);
+    c = SHI_LOAD(p + 2 * SHI_W);
+#if defined(SHI_SHUFFLE) && SHI_LANES == 2
+    v[0] = __builtin_shufflevector(a, b, 0, 3);
+    v[1] = __builtin_shufflevector(a, c, 1, 2);
+    v[2] = __builtin_shufflevector(b, c, 0, 3);
+#elif defined(SHI_SHUFFLE) && SHI_LANES == 4        /* from a and b, then the rest from c */
+    v[0] = __builtin_shufflevector(__builtin_shufflevector(a, b, 0, 3, 6, 6), c, 0, 1, 2, 5);
+    v[1] = __builtin_shufflevector(__builtin_shufflevector(a, b, 1, 4, 7, 7), c, 0, 1, 2, 6);
+    v[2] = __builtin_shufflevector(__builtin_shufflevector(a, b, 2, 5, 5, 5), c, 0, 1, 4, 7);
+#elif defined(SHI_SHUFFLE) && SHI_LANES == 8
+    v[0] = __builtin_shufflevector(__builtin_shufflevector(a, b, 0, 3, 6, 9, 12, 15, 15, 15), c, 0, 1, 2, 3, 4, 5, 10, 13);
+    v[1] = __builtin_shufflevector(__builtin_shufflevector(a, b, 1, 4, 7, 10, 13, 13, 13, 13), c, 0, 1, 2, 3, 4, 8, 11, 14);
+    v[2] = __builtin_shufflevector(__builtin_shufflevector(a, b, 2, 5, 8, 11, 14, 14, 14, 14), c, 0, 1, 2, 3, 4, 9, 12, 15);
+#elif defined(SHI_SHUFFLE) && SHI_LANES == 16
+    v[0] = __builtin_shufflevector(__builtin_shufflevector(a, b, 0, 3, 6, 9, 12, 15, 18, 21, 24, 27, 30, 30, 30, 30, 30, 30), c,
+                                   0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 17, 20, 23, 26, 29);
+    v[1] = __builtin_shufflevector(__builtin_shufflevector(a, b, 1, 4, 7, 10, 13, 16, 19, 22, 25, 28, 31, 31, 31, 31, 31, 31), c,
+                                   0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 18, 21, 24, 27, 30);
+    v[2] = __builtin_shufflevector(__builtin_shufflevector(a, b, 2, 5, 8, 11, 14, 17, 20, 23, 26, 29, 29, 29, 29, 29, 29, 29), c,
+                                   0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 16, 19, 22, 25, 28, 31);
+#else
+    v[0] = a;
+    v[1] = b;
+    v[2] = c;
+    for (i = 0; i < SHI_W; i++) {
+        v[0][i] = p[3 * i];
+        v[1][i] = p[3 * i + 1];
+        v[2][i] = p[3 * i + 2];
+    }
+#endif
 #endif
 }
 
@@ -774,8 +796,12 @@ SHI_NOINLINE int SHI_KN(shi_plain)(int n, int planes, size_t count, const SHI_T 
     size_t p;
     for (p = 0; p < count; p += SH_BLOCK) {
         const int lanes = count - p < SH_BLOCK ? (int)(count - p) : SH_BLOCK;
-        for (i = 0; i < SH_BLOCK; i++)
-            for (k = 0; k < 3; k++) v[k][i] = dirs[3 * (p + (size_t)(i < lanes ? i : lanes - 1)) + (size_t)k];
+        for (i = 0; i < SH_BLOCK; i += SHI_W) {
+            const int first = i < lanes ? i : lanes - 1, rest = lanes - first;
+            SHI_V d[3];
+            SHI_KN(shi_load3)(dirs + 3 * (p + (size_t)first), rest < SHI_W ? rest : SHI_W, d);
+            for (k = 0; k < 3; k++) SHI_STORE(v[k] + i, d[k]);
+        }
         bad = planes == SH_VALUES   ? SHI_KN(shi_blocks_values)(n, 1, v[0], stage)
             : planes == SH_GRADIENT ? SHI_KN(shi_blocks_gradient)(n, 1, v[0], stage, gb)
                                     : SHI_KN(shi_blocks_hessian)(n, 1, v[0], stage, gb, hb);
@@ -3158,3 +3184,27 @@ static const SHI_T SHI_FN(shi_horner)[275] = {
 /* END tools/gen_gradient.py */
 
 #endif /* rooms */
+
+/*
+ * MIT License
+ *
+ * Copyright (c) 2026 the shlight authors
+ *
+ * Permission is hereby granted, free of charge, to any person obtaining a copy
+ * of this software and associated documentation files (the "Software"), to deal
+ * in the Software without restriction, including without limitation the rights
+ * to use, copy, modify, merge, publish, distribute, sublicense, and/or sell
+ * copies of the Software, and to permit persons to whom the Software is
+ * furnished to do so, subject to the following conditions:
+ *
+ * The above copyright notice and this permission notice shall be included in all
+ * copies or substantial portions of the Software.
+ *
+ * THE SOFTWARE IS PROVIDED "AS IS", WITHOUT WARRANTY OF ANY KIND, EXPRESS OR
+ * IMPLIED, INCLUDING BUT NOT LIMITED TO THE WARRANTIES OF MERCHANTABILITY,
+ * FITNESS FOR A PARTICULAR PURPOSE AND NONINFRINGEMENT. IN NO EVENT SHALL THE
+ * AUTHORS OR COPYRIGHT HOLDERS BE LIABLE FOR ANY CLAIM, DAMAGES OR OTHER
+ * LIABILITY, WHETHER IN AN ACTION OF CONTRACT, TORT OR OTHERWISE, ARISING FROM,
+ * OUT OF OR IN CONNECTION WITH THE SOFTWARE OR THE USE OR OTHER DEALINGS IN THE
+ * SOFTWARE.
+ */
