@@ -1653,7 +1653,7 @@ SHI_KERNEL int SHI_BN(shi_one)(int n, int planes, const SHI_T d[3], SHI_T *y, in
 SHI_INLINE int SHI_FN(shi_check_basis)(int bands, size_t count, const SHI_T *v, const SHI_T *needed,
                                        const SHI_T *y, const SHI_T *g, const SHI_T *h)
 {
-    const size_t item = sizeof *v, in = 3 * count * item, size = (size_t)(bands * bands) * count * item;
+    const size_t item = sizeof *v, in = 3 * count * item, size = (size_t)bands * (size_t)bands * count * item;
     if (bands < 1 || bands > SH_MAX_BANDS) return SH_ERROR_BANDS;
     if (count == 0) return SH_OK;
     if (!v || !needed) return SH_ERROR_NULL;
@@ -2058,7 +2058,7 @@ SH_API int SHI_FN(sh_eval_angles)(int bands, SHI_T theta, SHI_T phi, SHI_T *y, S
 SH_API int SHI_FN(sh_eval_angles_n)(int bands, size_t count, const SHI_T *theta, const SHI_T *phi,
                                     SHI_T *y, SHI_T *dtheta, SHI_T *dphi)
 {
-    const size_t size = (size_t)(bands * bands), in = count * sizeof *theta, out = count * size * sizeof *theta;
+    const size_t size = (size_t)bands * (size_t)bands, in = count * sizeof *theta, out = count * size * sizeof *theta;
     if (bands < 1 || bands > SH_MAX_BANDS) return SH_ERROR_BANDS;
     if (count == 0) return SH_OK;
     if (!theta || !phi) return SH_ERROR_NULL;
@@ -2152,6 +2152,7 @@ SH_API int SHI_FN(sh_light_field)(int bands, size_t count, const SHI_T *dirs, co
             const size_t bytes = count * item * (k < 2 ? 3 : 1);
             if (shi_overlap(in[k], bytes, coeffs, size) || shi_overlap(in[k], bytes, grad, 3 * size)) return SH_ERROR_OVERLAP;
         }
+        if (shi_overlap(coeffs, size, grad, 3 * size)) return SH_ERROR_OVERLAP;
     }
     return SHI_FN(shi_light_field)(bands, count, dirs, solid_angles, radiance, depth, normals, coeffs, grad);
 }
@@ -2187,7 +2188,8 @@ SH_API int SHI_FN(sh_zonal_rotate)(int bands, const SHI_T *zh, const SHI_T dir[3
 {
     int status = SHI_FN(shi_check_basis)(bands, 1, dir, coeffs, coeffs, NULL, NULL), l, m;
     if (!status && !zh) status = SH_ERROR_NULL;
-    if (!status && shi_overlap(zh, (size_t)bands * sizeof *zh, coeffs, (size_t)(bands * bands) * sizeof *zh)) status = SH_ERROR_OVERLAP;
+    if (!status && shi_overlap(zh, (size_t)bands * sizeof *zh, coeffs, (size_t)(bands * bands) * sizeof *zh))
+        status = SH_ERROR_OVERLAP;
     if (!status) status = SHI_FN(sh_eval)(bands, dir, coeffs);
     if (status) return status;
     for (l = 0; l < bands; l++) {
@@ -2230,7 +2232,8 @@ SH_API int SHI_FN(sh_zonal_light)(int bands, const SHI_T to_light[3], const SHI_
  *   coeffs         [N];  grad [3][N] or NULL;  hess [6][N] or NULL
  * A point on or inside the sphere sees light everywhere: L_00 = 2 sqrt(pi), the rest 0, status SH_INSIDE.
  * Error:  |coeffs - exact| <= 24 eps M_l Omega, |grad - exact| <= 32 eps (M_l |grad Omega| + G_l Omega/d),
- *         x 1/(1 - (r/d)^2) above r/d = 0.995.
+ *         |hess - exact| <= 64 eps (M_l (|Omega''| + |Omega'|/d) + 2 G_l |Omega'|/d) + (16 + l(l+1)/2) l(l+1) eps M_l Omega/d^2;
+ *         all x 1/(1 - (r/d)^2) above r/d = 0.995.
  * Source: M22 Eq. 9-16 in a form without cancellation, for every r/d. */
 SH_API int SHI_FN(sh_sphere_hessian)(int bands, const SHI_T point[3], const SHI_T center[3], SHI_T radius,
                                      SHI_T *coeffs, SHI_T *grad, SHI_T *hess)
@@ -2256,7 +2259,8 @@ SH_API int SHI_FN(sh_sphere)(int bands, const SHI_T point[3], const SHI_T center
  *   out       [points][channels][planes][N]; for one channel and SH_GRADIENT: values, d/dx, d/dy, d/dz
  * Status SH_INSIDE when a point is on or inside a light, which then adds 2 sqrt(pi) to L_00 and nothing to derivatives.
  * A light that is not valid is an error before anything is written; a point that is not finite is an error of its own outputs.
- * Error:  the bounds of sh_sphere_hessian summed over the lights, plus count/64 eps of the sum of magnitudes.
+ * Error:  the sum over the lights of sh_sphere_hessian's bounds, with 24 + l and 32 + l in place of 24 and 32 (the recurrence
+ *         here is the cheap one), plus count/64 eps of the sum of magnitudes.
  * Source: M22 Eq. 12 in moment form: d/dx_k of f(d) Y_l is a fixed sparse combination of (f' + (l+1)f/d) Y_{l-1} and
  *         (f' - l f/d) Y_{l+1}, so lights share three running sums, and six with Hessians; M22 5.1's reverse order. */
 SH_API int SHI_FN(sh_spheres_n)(int bands, int planes, int channels, size_t points, const SHI_T *point,
