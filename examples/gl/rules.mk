@@ -27,13 +27,18 @@ $(BUILD)/gl/gl_shaders.h: $(GL_SHADERS) | $(BUILD)/gl
 
 $(BUILD)/gl/%.o: $(GL_DIR)/%.c $(GL_HEADERS) $(wildcard $(HEADERS)) | $(BUILD)/gl
 	$(CC) $(CFLAGS) $(WARN) $(CPPFLAGS) -I$(BUILD)/gl -c $< -o $@
-$(BUILD)/gl/relight-%.o: examples/relight/%.c examples/relight/relight.h | $(BUILD)/gl
-	$(CC) $(CFLAGS) $(WARN) $(CPPFLAGS) -c $< -o $@
+$(BUILD)/gl/relight-%.o: examples/relight/%.c examples/relight/relight.h $(wildcard $(HEADERS)) | $(BUILD)/gl
+	$(CC) $(CFLAGS) $(WARN) $(CPPFLAGS) $(RELIGHT_OMP) -c $< -o $@
 $(BUILD)/gl-demo: $(BUILD)/gl/demo.o $(GL_OBJECTS)
 	$(CC) $(CFLAGS) $^ $(LDFLAGS) $(GL_LIBS) -lm -o $@
 $(BUILD)/gl-bench: $(BUILD)/gl/bench.o $(GL_OBJECTS)
 	$(CC) $(CFLAGS) $^ $(LDFLAGS) $(GL_LIBS) -lm -o $@
 
+$(BUILD)/test-gl: $(BUILD)/gl/test_gl.o $(GL_OBJECTS) $(BUILD)/gl/relight-trace.o $(BUILD)/gl/relight-shade.o
+	$(CC) $(CFLAGS) $(RELIGHT_OMP) $^ $(LDFLAGS) $(GL_LIBS) -lm -o $@
+
+test-gl: $(BUILD)/gl-demo $(BUILD)/test-gl
+	@$(GL_DIR)/test.sh $(BUILD)
 gl-demo: $(BUILD)/gl-demo
 	$(BUILD)/gl-demo --out $(BUILD)/gl-demo.png
 gl-bench: $(BUILD)/gl-bench
@@ -41,6 +46,8 @@ gl-bench: $(BUILD)/gl-bench
 gl-bench-quick: $(BUILD)/gl-bench
 	$(BUILD)/gl-bench --quick --out $(BUILD)/gl-bench.csv
 else
+test-gl:
+	@$(GL_DIR)/test.sh $(BUILD)
 gl-demo gl-bench gl-bench-quick:
 	@echo "$@: libepoxy or GLFW is missing (pkg-config finds no epoxy, glfw3): make deps" >&2; exit 77
 endif
