@@ -1,7 +1,7 @@
 #!/bin/sh
 # test.sh FOLDER - the GL example: its shader files in every dialect, grid and picture against the CPU, bad input, a window
 set -eu
-build=$1 gl=${0%/*} out=$1/test-gl
+build=$1 gl=${0%/*} out=$1/test-gl.d
 mkdir -p "$out"
 
 skip() { echo "SKIP: $1: $2"; }
