@@ -557,8 +557,8 @@ SHI_KERNEL SHI_V SHI_KN(shi_polar_t)(const SHI_V u[3])
 /* (c, s) to those of the next m: times -(x + iy) */
 SHI_KERNEL void SHI_KN(shi_next_power)(const SHI_V u[3], SHI_V *c, SHI_V *s)
 {
-    const SHI_V t = SHI_FMA(u[1], *s, -(u[0] * *c));
-    *s = -SHI_FMA(u[0], *s, u[1] * *c);
+    const SHI_V x = -u[0], y = -u[1], t = SHI_FMA(x, *c, u[1] * *s);
+    *s = SHI_FMA(x, *s, y * *c);
     *c = t;
 }
 
@@ -1426,46 +1426,48 @@ SHI_KERNEL void SHI_BN(shi_values)(int n, int single, const SHI_V u[3], SHI_T *y
 /* y[N], g[3][N] = dY(v/|v|)/dv at u = v/|v|, i = 1/|v|; a stride of 0 discards an output into one place */
 SHI_KERNEL void SHI_BN(shi_gradient)(int n, int single, const SHI_V u[3], SHI_V i, SHI_T *y, int y_stride, SHI_T *g, int stride)
 {
-    const SHI_V x = u[0], v = u[1], z = u[2], xi = x * i, vi = v * i;
+    const SHI_V z = u[2], xi = -u[0] * i, vi = -u[1] * i;
     SHI_T *const gx = g, *const gy = gx + n * n * stride, *const gz = gy + n * n * stride;
-    SHI_V a[3], column[2][SH_MAX_BANDS], c = SHI_SPLAT(1), s = SHI_SPLAT(0);
+    SHI_V a[3], column[2][SH_MAX_BANDS], c = SHI_SPLAT(1), s = SHI_SPLAT(0), ic = i, is = s;
     int l, m;
     SHI_BN(shi_polar)(u, a);
     SHI_BN(shi_column)(0, n, a, column[0]);
     SHI_LOOP
     for (m = 0; m < n; m++) {
         const SHI_V *const q0 = column[m & 1], *const q1 = column[(m + 1) & 1];
-        const SHI_V mc = SHI_C(m) * (i * c), ms = SHI_C(m) * (i * s);       /* of U_{m-1}, V_{m-1} */
+        const SHI_V mc = SHI_C(-m) * ic, ms = SHI_C(-m) * is;               /* -m i U_{m-1}, -m i V_{m-1} */
+        SHI_V xc, xs, vc, vs;
         SHI_BN(shi_column)(m + 1, n, a, column[(m + 1) & 1]);
-        if (m == 1) {
-            c = -x;
-            s = -v;
-        } else if (m > 1) {
+        if (m > 0) {
             SHI_KN(shi_next_power)(u, &c, &s);
+            ic = i * c;
+            is = i * s;
         }
-        {
-            const SHI_V xc = xi * c, xs = xi * s, vc = vi * c, vs = vi * s, ic = i * c, is = i * s;
-            SHI_LOOP
-            for (l = m; l < n; l++) {
-                const SHI_V q = q0[l], d = l > m ? SHI_FN(shi_slope)[SHI_ROWS(l, m)] * q1[l] : SHI_SPLAT(0);
-                const SHI_V b = m == 0 ? z * d : SHI_C(m) * q + z * d, e = d - z * b;        /* u.F' and F'_z - z u.F', over U_m */
-                const int at = l * l + l;
-                if (m == 0) {
-                    SHI_PUT(y + at * y_stride, q, single);
-                    SHI_PUT(gx + at * stride, -(xi * b), single);
-                    SHI_PUT(gy + at * stride, -(vi * b), single);
-                    SHI_PUT(gz + at * stride, i * e, single);
-                } else {
-                    const SHI_V qc = q * mc, qs = q * ms;
-                    SHI_PUT(y + (at + m) * y_stride, q * c, single);
-                    SHI_PUT(y + (at - m) * y_stride, q * s, single);
-                    SHI_PUT(gx + (at + m) * stride, -(xc * b) - qc, single);
-                    SHI_PUT(gx + (at - m) * stride, -(xs * b) - qs, single);
-                    SHI_PUT(gy + (at + m) * stride, qs - vc * b, single);
-                    SHI_PUT(gy + (at - m) * stride, -(vs * b) - qc, single);
-                    SHI_PUT(gz + (at + m) * stride, ic * e, single);
-                    SHI_PUT(gz + (at - m) * stride, is * e, single);
-                }
+        xc = xi * c;
+        xs = xi * s;
+        vc = vi * c;
+        vs = vi * s;
+        SHI_LOOP
+        for (l = m; l < n; l++) {
+            const SHI_V q = q0[l], d = l > m ? SHI_FN(shi_slope)[SHI_ROWS(l, m)] * q1[l] : SHI_SPLAT(0);
+            const SHI_V b = m == 0 ? z * d : l > m ? SHI_C(m) * q + z * d : SHI_C(m) * q;      /* u.F', over U_m */
+            const SHI_V e = l > m ? d - z * b : -z * b;                                        /* F'_z - z u.F' */
+            const int at = l * l + l;
+            if (m == 0) {
+                SHI_PUT(y + at * y_stride, q, single);
+                SHI_PUT(gx + at * stride, l ? xi * b : d, single);
+                SHI_PUT(gy + at * stride, l ? vi * b : d, single);
+                SHI_PUT(gz + at * stride, l ? i * e : d, single);
+            } else {
+                const SHI_V qc = q * mc, qs = q * ms;
+                SHI_PUT(y + (at + m) * y_stride, q * c, single);
+                SHI_PUT(y + (at - m) * y_stride, q * s, single);
+                SHI_PUT(gx + (at + m) * stride, SHI_FMA(xc, b, qc), single);
+                SHI_PUT(gx + (at - m) * stride, SHI_FMA(xs, b, qs), single);
+                SHI_PUT(gy + (at + m) * stride, SHI_FMA(vc, b, -qs), single);
+                SHI_PUT(gy + (at - m) * stride, SHI_FMA(vs, b, qc), single);
+                SHI_PUT(gz + (at + m) * stride, ic * e, single);
+                SHI_PUT(gz + (at - m) * stride, is * e, single);
             }
         }
     }
