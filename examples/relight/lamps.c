@@ -5,31 +5,11 @@
 
 #include <stdio.h>
 #include <stdlib.h>
-#include <string.h>
 
 static void lamp(scene *s, vec3 a, vec3 b, vec3 c)
 {
-    mesh_add(&s->m, a, b, c, LAMP);
-    s->p.count++;
-}
-
-/* The arrays that sh_polygon.h reads, from the last triangles of the mesh. */
-static void collect(scene *s)
-{
-    const size_t count = (size_t)s->p.count;
-    const triangle *t = s->m.t + s->m.triangles - s->p.count;
-    size_t i;
-    int k;
-
-    s->p.sides = need(NULL, count, sizeof *s->p.sides);
-    s->p.vertex = need(NULL, 9 * count, sizeof *s->p.vertex);
-    s->p.radiance = need(NULL, 3 * count, sizeof *s->p.radiance);
-    for (i = 0; i < count; i++)
-        for (k = 0; k < 3; k++) {
-            s->p.sides[i] = 3;
-            s->p.radiance[(size_t)k * count + i] = lamp_radiance[k];
-            memcpy(s->p.vertex + 9 * i + 3 * k, &s->m.v[t[i].v[k]].p, 3 * sizeof(float));
-        }
+    const vec3 corner[3] = { a, b, c };
+    scene_add_lamp(s, corner, 3, vec(4.0f, 2.7f, 1.5f));
 }
 
 /* A square in 2 n^2 triangles, with corner at and edges u and v. */
@@ -71,19 +51,18 @@ void lamps_compare(const scene *room, const float *blocked, int bands, int nodes
            nodes);
     printf("%-26s %12s %12s %10s\n", "light", "exact ms", "spheres ms", "MAE x 1e3");
     for (row = 0; row < 3; row++) {
-        method of[2] = { { "exact", SH_EDGE_HERMITE, nodes, SH_GRADIENT, POLYGONS, 0, 0, 0, NULL },
-                         { "as spheres", SH_EDGE_HERMITE, nodes, SH_GRADIENT, TRIANGLES_AS_SPHERES, 0, 0, 0, NULL } };
+        method of[2] = { { "exact", SH_EDGE_HERMITE, nodes, SH_GRADIENT, 0, 0, 0, 0, NULL },
+                         { "as spheres", SH_EDGE_HERMITE, nodes, SH_GRADIENT, 1, 0, 0, 0, NULL } };
         const size_t values = 3 * (size_t)width * (size_t)height;
-        scene s = *room;
+        scene s;
         float *picture[3], exposure;
         char name[64], text[128];
         view w;
 
+        scene_copy(&s, room);
         s.l.count = 0;
-        mesh_copy(&s.m, &room->m);
         if (row == 2) hang_star(&s, at, u, v, 16);
         else hang_square(&s, at, u, v, row ? 1 : pieces);
-        collect(&s);
         sprintf(name, format[row], s.p.count);
         view_trace(&w, &s, width, height);
         picture_glow(&w);
@@ -101,8 +80,8 @@ void lamps_compare(const scene *room, const float *blocked, int bands, int nodes
             sheet_paste(&out, i * width, row * (height + LABEL) + LABEL, picture[i], width, height, 1);
             free(picture[i]);
         }
-        free(of[0].rgb); free(of[1].rgb); free(w.at); free(w.glow); free(s.m.v); free(s.m.t);
-        free(s.p.sides); free(s.p.vertex); free(s.p.radiance);
+        free(of[0].rgb); free(of[1].rgb); free(w.at); free(w.glow);
+        scene_free_copy(&s);
     }
     sheet_write(&out, path);
 }

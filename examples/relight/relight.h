@@ -47,7 +47,7 @@ void  progress(const char *what, double done);
 typedef struct { vec3 p, n; } vertex;
 typedef struct { int v[3], material; } triangle;
 typedef struct { vertex *v; triangle *t; int vertices, triangles; } mesh;
-enum { GLAZE, FLOOR_LIGHT, FLOOR_DARK, WALL, MATERIALS, LAMP = MATERIALS };
+enum { GLAZE, FLOOR_LIGHT, FLOOR_DARK, WALL, MATERIALS, LAMP = MATERIALS };      /* LAMP + i: polygon light i */
 
 void mesh_teapot(mesh *m, int steps);                        /* Newell's 32 patches, steps x steps quads each */
 void mesh_read_obj(mesh *m, const char *path, char up);
@@ -59,19 +59,22 @@ void mesh_add_room(mesh *m, vec3 low, vec3 high, float step);
 /* scene.c */
 typedef struct { float albedo[3], f0, alpha; } material;
 typedef struct { float *sphere /* [4][count] x y z r */, *radiance /* [3][count] */; int count; } lights;
-typedef struct { float *vertex /* [3 count][3] */, *radiance /* [3][count] */; int *sides /* [count] 3 */, count; } lamps;
+typedef struct { int count, corners, *sides; float *vertex /* [corners][3] */, *radiance /* [3][count] */; } lamps;
 typedef struct { vec3 eye, at; float width /* of the view at distance 1 */; } camera;
 typedef struct {
     mesh m;
     int casters;                                             /* its first triangles, which cast shadows */
     lights l;
-    lamps p;                                                 /* triangle lights; they are in the mesh, too */
+    lamps p;                                                 /* polygon lights, in the mesh, too, to be seen */
     camera c;
     vec3 low, high;                                          /* the room, and what a grid covers */
 } scene;
-extern const float lamp_radiance[3];
 extern const material materials[MATERIALS];
 void scene_build(scene *s, const char *obj /* or NULL: the teapot */, char up, int lights, int quick);
+void scene_copy(scene *s, const scene *from);                /* all but its polygon lights; shares the spheres */
+void scene_add_lamp(scene *s, const vec3 *corner, int corners, vec3 radiance);
+void scene_add_moon(scene *s);
+void scene_free_copy(scene *s);
 
 /* trace.c */
 typedef struct {                                             /* a place to shade, and its share of a pixel */
@@ -91,10 +94,9 @@ float *trace_blocked(const scene *s, int bands, int rays);
 
 /* shade.c */
 enum { BANDS = 9, PER_POINT = -1 };                          /* the shadows' bands; a scheme: no grid at all */
-enum { SPHERES, POLYGONS, TRIANGLES_AS_SPHERES };            /* the lights a grid is made of */
 typedef struct {
     const char *name;
-    int scheme, nodes, planes, source;                       /* of sh_interp.h; nodes along each axis of the grid */
+    int scheme, nodes, planes, as_spheres;                   /* of sh_interp.h; along each axis; lamps as spheres */
     double build, shade, error;                              /* seconds, seconds, mean absolute error */
     float *rgb;                                              /* [points][3] */
 } method;

@@ -1,6 +1,7 @@
 /* scene.c - what stands where: the mesh, its room, a picture of one sphere per texel, strings of bulbs, the camera. */
 #include "relight.h"
 
+#include <stdlib.h>
 #include <string.h>
 
 const material materials[MATERIALS] = {
@@ -9,8 +10,6 @@ const material materials[MATERIALS] = {
     { {0.04f, 0.04f, 0.05f}, 0.12f, 0.12f },       /* FLOOR_DARK */
     { {0.20f, 0.20f, 0.22f}, 0.03f, 0.60f },       /* WALL */
 };
-
-const float lamp_radiance[3] = { 4.0f, 2.7f, 1.5f };
 
 static void hang(lights *l, int i, vec3 at, float radius, vec3 radiance)
 {
@@ -84,4 +83,54 @@ void scene_build(scene *s, const char *obj, char up, int count, int quick)
     s->casters = s->m.triangles;
     mesh_add_room(&s->m, s->low, s->high, quick ? 0.5f : 0.125f);
     hang_all(&s->l, count, s->low, s->high);
+}
+
+void scene_copy(scene *s, const scene *from)
+{
+    *s = *from;
+    mesh_copy(&s->m, &from->m);
+    memset(&s->p, 0, sizeof s->p);
+}
+
+void scene_free_copy(scene *s)
+{
+    free(s->m.v); free(s->m.t); free(s->p.sides); free(s->p.vertex); free(s->p.radiance);
+}
+
+/* To be seen, it is cut into triangles across, from its first and last corner on: enough for a triangle or a moon. */
+void scene_add_lamp(scene *s, const vec3 *corner, int corners, vec3 radiance)
+{
+    lamps *p = &s->p;
+    const int n = p->count++;
+    const float rgb[3] = { radiance.x, radiance.y, radiance.z };
+    int i, k;
+
+    p->sides = need(p->sides, (size_t)n + 1, sizeof *p->sides);
+    p->vertex = need(p->vertex, 3 * (size_t)(p->corners + corners), sizeof *p->vertex);
+    p->radiance = need(p->radiance, 3 * ((size_t)n + 1), sizeof *p->radiance);
+    p->sides[n] = corners;
+    for (i = 0; i < corners; i++, p->corners++) memcpy(p->vertex + 3 * p->corners, &corner[i], 3 * sizeof(float));
+    for (k = 2; k >= 0; k--) {
+        memmove(p->radiance + k * (n + 1), p->radiance + k * n, (size_t)n * sizeof(float));
+        p->radiance[k * (n + 1) + n] = rgb[k];
+    }
+    for (i = 0, k = corners - 1; i + 1 < k; i++, k--) {
+        mesh_add(&s->m, corner[i], corner[i + 1], corner[k], LAMP + n);
+        if (i + 1 < k - 1) mesh_add(&s->m, corner[i + 1], corner[k - 1], corner[k], LAMP + n);
+    }
+}
+
+/* A concave polygon of 22 sides. */
+void scene_add_moon(scene *s)
+{
+    const vec3 middle = vec(2.6f, 2.2f, 4.2f);
+    vec3 corner[22];
+    int i;
+
+    for (i = 0; i < 12; i++) {
+        const float a = 2.2f * ((float)i / 5.5f - 1), x = 0.85f * cosf(a), z = 0.85f * sinf(a);
+        corner[i] = add(middle, vec(x, 0, z));
+        if (i > 0 && i < 11) corner[22 - i] = add(middle, vec(x - 0.5f * (x + 0.5f), 0, 0.85f * z));
+    }
+    scene_add_lamp(s, corner, 22, vec(0.55f, 1.6f, 2.1f));
 }

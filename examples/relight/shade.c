@@ -39,12 +39,20 @@ static void add_as_spheres(const lamps *p, const float node[3], int bands, float
     }
 }
 
+static void add_to(float *sum, const float *more, size_t count)
+{
+    size_t i;
+    for (i = 0; i < count; i++) sum[i] += more[i];
+}
+
 typedef struct { sh_grid_f32 grid; float *coeffs /* [nodes][3][planes][n2] */; } field;
 
+/* Polygons have no Hessian: a grid with Hessians holds the spheres alone, shade() adds the polygons at the points. */
 static field field_build(const scene *s, method *m, int bands)
 {
+    enum { CHUNK = 16 };
     const size_t size = 3 * (size_t)m->planes * (size_t)(bands * bands);
-    const int n = m->nodes, nodes = n * n * n, step = m->source == TRIANGLES_AS_SPHERES ? 1 : 16;
+    const int n = m->nodes, nodes = n * n * n;
     const vec3 cell = mul(sub(s->high, s->low), 1 / (float)(n - 1));
     const double start = now();
     field f = { { { s->low.x, s->low.y, s->low.z }, { cell.x, cell.y, cell.z }, { n, n, n } }, NULL };
@@ -52,22 +60,28 @@ static field field_build(const scene *s, method *m, int bands)
 
     f.coeffs = need(NULL, (size_t)nodes * size, sizeof *f.coeffs);
 #pragma omp parallel for schedule(dynamic)
-    for (i = 0; i < nodes; i += step) {
-        const size_t first = (size_t)i, count = (size_t)(nodes - i < step ? nodes - i : step);
-        const vec3 at = vec((float)(i % n) * cell.x, (float)(i / n % n) * cell.y, (float)(i / n / n) * cell.z);
-        const float node[3] = { s->low.x + at.x, s->low.y + at.y, s->low.z + at.z };
-        float *out = f.coeffs + first * size;
+    for (i = 0; i < nodes; i += CHUNK) {
+        const int count = nodes - i < CHUNK ? nodes - i : CHUNK;
+        float *out = f.coeffs + (size_t)i * size;
+        int j;
 
-        if (m->source == SPHERES)
-            check(sh_spheres_grid_f32(bands, m->planes, 3, &f.grid, first, count, (size_t)s->l.count, s->l.sphere,
-                                      s->l.radiance, out));
-        else if (m->source == POLYGONS)
-            check(sh_polygons_grid_f32(bands, m->planes, 3, SH_BOTH, &f.grid, first, count, (size_t)s->p.count,
-                                       s->p.sides, s->p.vertex, s->p.radiance, out));
-        else
-            add_as_spheres(&s->p, node, bands, out);
+        check(sh_spheres_grid_f32(bands, m->planes, 3, &f.grid, (size_t)i, (size_t)count, (size_t)s->l.count,
+                                  s->l.sphere, s->l.radiance, out));
+        if (m->as_spheres) {
+            for (j = i; j < i + count; j++) {
+                const float node[3] = { s->low.x + cell.x * (float)(j % n), s->low.y + cell.y * (float)(j / n % n),
+                                        s->low.z + cell.z * (float)(j / n / n) };
+                add_as_spheres(&s->p, node, bands, out + (size_t)(j - i) * size);
+            }
+        } else if (m->planes != SH_HESSIAN) {
+            float *more = need(NULL, (size_t)count * size, sizeof *more);
+            check(sh_polygons_grid_f32(bands, m->planes, 3, SH_BOTH, &f.grid, (size_t)i, (size_t)count,
+                                       (size_t)s->p.count, s->p.sides, s->p.vertex, s->p.radiance, more));
+            add_to(out, more, (size_t)count * size);
+            free(more);
+        }
 #pragma omp critical
-        progress("grids", (double)(done += step) / nodes);
+        progress("grids", (double)(done += count) / nodes);
     }
     m->build = now() - start;
     return f;
@@ -76,7 +90,7 @@ static field field_build(const scene *s, method *m, int bands)
 /* What a thread works on: points, their transfers, colours (albedo / pi, Fresnel), and the light there, packed. */
 typedef struct {
     float place[BLOCK][3], normal[BLOCK][3], tint[BLOCK][4];
-    float diffuse[BLOCK * MAX_N2], gloss[BLOCK * MAX_N2], light[BLOCK * 3 * MAX_N2];
+    float diffuse[BLOCK * MAX_N2], gloss[BLOCK * MAX_N2], light[BLOCK * 3 * MAX_N2], more[BLOCK * 3 * MAX_N2];
 } block;
 
 static void transfers(const scene *s, const float *blocked, int bands, const spot *p, int count, block *b)
@@ -156,6 +170,11 @@ void shade(const scene *s, const view *w, const float *blocked, int bands, metho
                 else
                     check(sh_grid_interp_n_f32(bands, at[k].planes, 3, &f[k].grid, f[k].coeffs, at[k].scheme,
                                                SH_CLAMP, (size_t)count, b->place[0], b->light));
+                if (at[k].scheme == PER_POINT || at[k].planes == SH_HESSIAN) {
+                    check(sh_polygons_n_f32(bands, SH_VALUES, 3, SH_BOTH, (size_t)count, b->place[0], (size_t)s->p.count,
+                                            s->p.sides, s->p.vertex, s->p.radiance, b->more));
+                    add_to(b->light, b->more, (size_t)(count * 3 * bands * bands));
+                }
                 for (j = 0; j < count; j++) shade_point(b, j, bands * bands, at[k].rgb + 3 * (first + j));
                 spent[k] += now() - start;
             }

@@ -2,6 +2,7 @@
 #include "sh_gradient.h"
 #include "relight.h"
 
+#include <limits.h>
 #include <stdlib.h>
 
 #define PI   3.14159265f
@@ -231,11 +232,12 @@ static int bvh_blocked(const bvh *b, vec3 from, vec3 d) { return traverse(b, fro
 enum { SUB = 3 };
 
 typedef struct { vec3 n; float t; int kind; } seen;                /* kind: material, or -1 - light, or NOTHING */
-enum { NOTHING = 1000 };
+enum { NOTHING = INT_MAX };
 typedef struct {
     const camera *c;
     const mesh *m;
     const lights *l;
+    const lamps *p;
     bvh *b;
     vec3 right, up, ahead;
     int width, height;
@@ -303,8 +305,9 @@ static int add_points(const eye *e, int x, int y, int sub, spot *to, float *glow
         if (h.item >= e->m->triangles) {
             const float *rgb = e->l->radiance + h.item - e->m->triangles;
             for (k = 0; k < 3; k++) glow[k] += share * rgb[k * e->l->count];
-        } else if (h.item >= 0 && e->m->t[h.item].material == LAMP) {
-            for (k = 0; k < 3; k++) glow[k] += share * lamp_radiance[k];
+        } else if (h.item >= 0 && e->m->t[h.item].material >= LAMP) {
+            const float *rgb = e->p->radiance + e->m->t[h.item].material - LAMP;
+            for (k = 0; k < 3; k++) glow[k] += share * rgb[k * e->p->count];
         } else if (h.item >= 0) {
             to[count] = spot_of(e, &h, d);
             to[count].weight = share;
@@ -322,7 +325,7 @@ void view_trace(view *w, const scene *s, int width, int height)
     int *count = need(NULL, (size_t)height, sizeof *count), y, done = 0;
     eye e;
 
-    e.c = &s->c; e.m = &s->m; e.l = &s->l; e.width = width; e.height = height;
+    e.c = &s->c; e.m = &s->m; e.l = &s->l; e.p = &s->p; e.width = width; e.height = height;
     e.b = bvh_build(e.m, e.m->triangles, e.l);
     e.ahead = unit(sub(s->c.at, s->c.eye));
     e.right = unit(cross(e.ahead, vec(0, 0, 1)));
