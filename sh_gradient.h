@@ -554,12 +554,36 @@ SHI_KERNEL SHI_V SHI_KN(shi_polar_t)(const SHI_V u[3])
     const SHI_V r2 = SHI_FMA(u[0], u[0], u[1] * u[1]);
     return SHI_SELECT((SHI_M)(r2 < SHI_C(0.5)), SHI_C(0.5) - r2, SHI_FMA(u[2], u[2], SHI_SPLAT(SHI_C(-0.5))));
 }
-/* (c, s) to those of the next m: times -(x + iy) */
-SHI_KERNEL void SHI_KN(shi_next_power)(const SHI_V u[3], SHI_V *c, SHI_V *s)
+/* (c, s) times (x, y) as complex numbers */
+SHI_KERNEL void SHI_KN(shi_turn)(SHI_V x, SHI_V y, SHI_V *c, SHI_V *s)
 {
-    const SHI_V x = -u[0], y = -u[1], t = SHI_FMA(x, *c, u[1] * *s);
+    const SHI_V t = SHI_FMA(x, *c, -(y * *s));
     *s = SHI_FMA(x, *s, y * *c);
     *c = t;
+}
+/* p = { U, V of m; of m-1; of 2 } from those of m-1, U_m + i V_m = (-x - iy)^m: two short chains instead of a long one */
+SHI_KERNEL void SHI_KN(shi_power)(int m, const SHI_V u[3], SHI_V p[6])
+{
+    const SHI_V c = p[0], s = p[1];
+    if (m == 0) {
+        p[0] = SHI_SPLAT(1);
+        p[1] = p[2] = p[3] = p[4] = p[5] = SHI_SPLAT(0);
+        return;
+    }
+    if (m == 1) {
+        p[0] = -u[0];
+        p[1] = -u[1];
+    } else if (m == 2) {
+        SHI_KN(shi_turn)(c, s, &p[0], &p[1]);
+        p[4] = p[0];
+        p[5] = p[1];
+    } else {
+        p[0] = p[2];
+        p[1] = p[3];
+        SHI_KN(shi_turn)(p[4], p[5], &p[0], &p[1]);
+    }
+    p[2] = c;
+    p[3] = s;
 }
 
 /* |y - x|^2 - r^2 in twice the working precision, d = y - x: what is left decides everything near a light.
@@ -913,7 +937,7 @@ SHI_INLINE void SHI_FN(shi_forward_form)(int n, const SHI_T *c, SHI_T *a)
 #endif
 
 /* terms of column m into value and F', from A, B and their derivatives by z; U, V of m and m-1 */
-SHI_KERNEL void SHI_KN(shi_sum_column)(int m, const SHI_V ab[2], const SHI_V dab[2], const SHI_V uv[4], int with_grad,
+SHI_KERNEL void SHI_KN(shi_sum_column)(int m, const SHI_V ab[2], const SHI_V dab[2], const SHI_V uv[6], int with_grad,
                                        SHI_V *value, SHI_V f[3])
 {
     if (m == 0) {
@@ -932,27 +956,16 @@ SHI_KERNEL void SHI_KN(shi_sum_column)(int m, const SHI_V ab[2], const SHI_V dab
     }
 }
 
-SHI_KERNEL void SHI_KN(shi_next_powers)(int m, const SHI_V u[3], SHI_V uv[4])
-{
-    const SHI_V c = uv[0], s = uv[1];
-    if (m == 0) return;
-    uv[2] = c;
-    uv[3] = s;
-    SHI_KN(shi_next_power)(u, &uv[0], &uv[1]);
-}
-
 SHI_KERNEL void SHI_KN(shi_sum_horner)(int n, int with_grad, const SHI_T *a, const SHI_V u[3], SHI_V *value, SHI_V f[3])
 {
     const SHI_V z = u[2], t = SHI_KN(shi_polar_t)(u), z2 = z + z;
-    SHI_V uv[4];
+    SHI_V uv[6];
     int m, parity, sign, k;
-    uv[0] = SHI_SPLAT(1);
-    uv[1] = uv[2] = uv[3] = SHI_SPLAT(0);
     SHI_UNROLL
     for (m = 0; m < n; m++) {
         SHI_V ab[2], dab[2];
         ab[0] = ab[1] = dab[0] = dab[1] = SHI_SPLAT(0);
-        SHI_KN(shi_next_powers)(m, u, uv);
+        SHI_KN(shi_power)(m, u, uv);
         SHI_UNROLL
         for (parity = 0; parity < 2; parity++) {
             if (parity < n - m) {
@@ -977,17 +990,15 @@ SHI_KERNEL void SHI_KN(shi_sum_horner)(int n, int with_grad, const SHI_T *a, con
 
 SHI_KERNEL void SHI_KN(shi_sum_forward)(int n, int with_grad, const SHI_T *a, const SHI_V u[3], SHI_V *value, SHI_V f[3])
 {
-    SHI_V uv[4], polar[3], column[2][SH_MAX_BANDS];
+    SHI_V uv[6], polar[3], column[2][SH_MAX_BANDS];
     int l, m;
-    uv[0] = SHI_SPLAT(1);
-    uv[1] = uv[2] = uv[3] = SHI_SPLAT(0);
     SHI_KN(shi_polar_any)(u, polar);
     SHI_KN(shi_column_any)(0, n, polar, column[0]);
     for (m = 0; m < n; m++) {
         const SHI_V *const q0 = column[m & 1], *const q1 = column[(m + 1) & 1];
         SHI_V ab[2], dab[2];
         ab[0] = ab[1] = dab[0] = dab[1] = SHI_SPLAT(0);
-        SHI_KN(shi_next_powers)(m, u, uv);
+        SHI_KN(shi_power)(m, u, uv);
         SHI_KN(shi_column_any)(m + 1, n, polar, column[(m + 1) & 1]);
         for (l = m; l < n; l++) {
             const SHI_V d = l > m ? SHI_FN(shi_slope)[SHI_ROWS(l, m)] * q1[l] : SHI_SPLAT(0);
@@ -1102,7 +1113,7 @@ SHI_KERNEL void SHI_KN(shi_light_weights)(int n, int kinds, const SHI_T point[3]
     for (m = 0; m < levels; m++) {                              /* U_m, V_m times radiance */
         c[m * nb] = uc;
         v[m * nb] = us;
-        SHI_KN(shi_next_power)(u, &uc, &us);
+        SHI_KN(shi_turn)(-u[0], -u[1], &uc, &us);
     }
     for (t = 0; t < kinds; t++)                                 /* bands a kind does not reach */
         for (l = 0; l < 2 && l < levels; l++) {
@@ -1283,7 +1294,7 @@ SHI_KERNEL int SHI_KN(shi_sample_powers)(const SHI_T *dirs, const SHI_T *weights
     for (m = 0; m < levels; m++) {
         c[m * nb] = uc;
         s[m * nb] = us;
-        SHI_KN(shi_next_power)(u, &uc, &us);
+        SHI_KN(shi_turn)(-u[0], -u[1], &uc, &us);
     }
     pool[3 * levels * nb] = u[2];
     return ok;
@@ -1403,11 +1414,12 @@ SHI_KERNEL void SHI_BN(shi_column)(int m, int n, const SHI_V a[3], SHI_V *q)
 /* y[N], `stride` elements from one coefficient to the next */
 SHI_KERNEL void SHI_BN(shi_values)(int n, int single, const SHI_V u[3], SHI_T *y, int stride)
 {
-    SHI_V a[3], q[SH_MAX_BANDS], c = -u[0], s = -u[1];
+    SHI_V a[3], q[SH_MAX_BANDS], p[6];
     int l, m;
     SHI_BN(shi_polar)(u, a);
     SHI_LOOP
     for (m = 0; m < n; m++) {
+        SHI_KN(shi_power)(m, u, p);
         SHI_BN(shi_column)(m, n, a, q);
         SHI_LOOP
         for (l = m; l < n; l++) {
@@ -1415,11 +1427,10 @@ SHI_KERNEL void SHI_BN(shi_values)(int n, int single, const SHI_V u[3], SHI_T *y
             if (m == 0) {
                 SHI_PUT(at, q[l], single);
             } else {
-                SHI_PUT(at + m * stride, q[l] * c, single);
-                SHI_PUT(at - m * stride, q[l] * s, single);
+                SHI_PUT(at + m * stride, q[l] * p[0], single);
+                SHI_PUT(at - m * stride, q[l] * p[1], single);
             }
         }
-        if (m > 0) SHI_KN(shi_next_power)(u, &c, &s);
     }
 }
 
@@ -1428,7 +1439,7 @@ SHI_KERNEL void SHI_BN(shi_gradient)(int n, int single, const SHI_V u[3], SHI_V 
 {
     const SHI_V z = u[2], xi = -u[0] * i, vi = -u[1] * i;
     SHI_T *const gx = g, *const gy = gx + n * n * stride, *const gz = gy + n * n * stride;
-    SHI_V a[3], column[2][SH_MAX_BANDS], c = SHI_SPLAT(1), s = SHI_SPLAT(0), ic = i, is = s;
+    SHI_V a[3], column[2][SH_MAX_BANDS], p[6], ic = i, is = i;
     int l, m;
     SHI_BN(shi_polar)(u, a);
     SHI_BN(shi_column)(0, n, a, column[0]);
@@ -1438,15 +1449,13 @@ SHI_KERNEL void SHI_BN(shi_gradient)(int n, int single, const SHI_V u[3], SHI_V 
         const SHI_V mc = SHI_C(-m) * ic, ms = SHI_C(-m) * is;               /* -m i U_{m-1}, -m i V_{m-1} */
         SHI_V xc, xs, vc, vs;
         SHI_BN(shi_column)(m + 1, n, a, column[(m + 1) & 1]);
-        if (m > 0) {
-            SHI_KN(shi_next_power)(u, &c, &s);
-            ic = i * c;
-            is = i * s;
-        }
-        xc = xi * c;
-        xs = xi * s;
-        vc = vi * c;
-        vs = vi * s;
+        SHI_KN(shi_power)(m, u, p);
+        ic = i * p[0];
+        is = i * p[1];
+        xc = xi * p[0];
+        xs = xi * p[1];
+        vc = vi * p[0];
+        vs = vi * p[1];
         SHI_LOOP
         for (l = m; l < n; l++) {
             const SHI_V q = q0[l], d = l > m ? SHI_FN(shi_slope)[SHI_ROWS(l, m)] * q1[l] : SHI_SPLAT(0);
@@ -1460,8 +1469,8 @@ SHI_KERNEL void SHI_BN(shi_gradient)(int n, int single, const SHI_V u[3], SHI_V 
                 SHI_PUT(gz + at * stride, l ? i * e : d, single);
             } else {
                 const SHI_V qc = q * mc, qs = q * ms;
-                SHI_PUT(y + (at + m) * y_stride, q * c, single);
-                SHI_PUT(y + (at - m) * y_stride, q * s, single);
+                SHI_PUT(y + (at + m) * y_stride, q * p[0], single);
+                SHI_PUT(y + (at - m) * y_stride, q * p[1], single);
                 SHI_PUT(gx + (at + m) * stride, SHI_FMA(xc, b, qc), single);
                 SHI_PUT(gx + (at - m) * stride, SHI_FMA(xs, b, qs), single);
                 SHI_PUT(gy + (at + m) * stride, SHI_FMA(vc, b, -qs), single);
@@ -1517,7 +1526,7 @@ SHI_KERNEL void SHI_BN(shi_hessian)(int n, int single, const SHI_V u[3], SHI_V i
             s2 = s1;
             c1 = c0;
             s1 = s0;
-            SHI_KN(shi_next_power)(u, &c0, &s0);
+            SHI_KN(shi_turn)(-u[0], -u[1], &c0, &s0);
         }
         SHI_LOOP
         for (l = m; l < n; l++) {
