@@ -3626,6 +3626,59 @@ SHI_INLINE double shi_gauss_node(int n, int i, double *weight)
     return i < low ? 0.5 * (1 - shi_gauss_x[n * n / 4 + j]) : 0.5 * (1 + shi_gauss_x[n * n / 4 + j]);
 }
 
+/* ---- exact differences and products: a value as an unevaluated sum of two doubles (Knuth; Dekker) ----
+ * volatile keeps every rounding where it is written, under contraction and -ffast-math too */
+
+typedef struct { double h, l; } shi_two;
+
+SHI_INLINE shi_two shi_two_sum(double a, double b)
+{
+    volatile double s = a + b, t = s - a, u = s - t, v = a - u, w = b - t;
+    shi_two r;
+    r.h = s;
+    r.l = v + w;
+    return r;
+}
+SHI_INLINE shi_two shi_two_product(double a, double b)
+{
+    volatile double p = a * b, c = 134217729.0 * a, d = 134217729.0 * b, t = c - a, u = d - b;
+    volatile double ah = c - t, bh = d - u, al = a - ah, bl = b - bh;
+    volatile double q = ah * bh, e = q - p, f = ah * bl, g = e + f, h = al * bh, i = g + h;
+    shi_two r;
+    r.h = p;
+    r.l = i + al * bl;
+    return r;
+}
+SHI_INLINE shi_two shi_two_add(shi_two a, shi_two b)
+{
+    shi_two s = shi_two_sum(a.h, b.h), t = shi_two_sum(a.l, b.l);
+    s = shi_two_sum(s.h, s.l + t.h);
+    return shi_two_sum(s.h, s.l + t.l);
+}
+SHI_INLINE shi_two shi_two_times(shi_two a, shi_two b)
+{
+    const shi_two p = shi_two_product(a.h, b.h);
+    return shi_two_sum(p.h, p.l + (a.h * b.l + a.l * b.h));
+}
+SHI_INLINE shi_two shi_two_minus(shi_two a, shi_two b)
+{
+    b.h = -b.h;
+    b.l = -b.l;
+    return shi_two_add(a, b);
+}
+SHI_INLINE void shi_two_cross(const shi_two a[3], const shi_two b[3], shi_two c[3])
+{
+    int k;
+    for (k = 0; k < 3; k++) {
+        const int i = (k + 1) % 3, j = (k + 2) % 3;
+        c[k] = shi_two_minus(shi_two_times(a[i], b[j]), shi_two_times(a[j], b[i]));
+    }
+}
+SHI_INLINE shi_two shi_two_dot(const shi_two a[3], const shi_two b[3])
+{
+    return shi_two_add(shi_two_add(shi_two_times(a[0], b[0]), shi_two_times(a[1], b[1])), shi_two_times(a[2], b[2]));
+}
+
 SHI_NOINLINE int shi_polygon_engine(int bands, int sides, int tight, const double point[3], size_t count, const void *vertices,
                                     int floats, double *coeffs, double *grad, double *fan_size);
 SHI_NOINLINE int shi_triangle_sphere(int bands, int sides, const double x[3], const double v[9], double *out, double *grad, double *error);
@@ -3655,6 +3708,26 @@ SHI_INLINE void shi_scene_open(shi_scene *scene, const double point[3], size_t c
  * Tables: once per precision.
  * ============================================================================================================= */
 #elif SHI_ROOM == SHI_TABLES
+
+/* (b-a) x (c-a), rounded once: a float's products are exact in double, a double's need two */
+SHI_INLINE void SHI_FN(shi_fan_normal)(const SHI_T *a, const SHI_T *b, const SHI_T *c, double n[3])
+{
+    int k;
+#if SHI_BITS == 32
+    for (k = 0; k < 3; k++) {
+        const int p = (k + 1) % 3, q = (k + 2) % 3;
+        n[k] = ((double)b[p] - (double)a[p]) * ((double)c[q] - (double)a[q]) - ((double)b[q] - (double)a[q]) * ((double)c[p] - (double)a[p]);
+    }
+#else
+    shi_two d[3], e[3], f[3];
+    for (k = 0; k < 3; k++) {
+        d[k] = shi_two_sum(b[k], -a[k]);
+        e[k] = shi_two_sum(c[k], -a[k]);
+    }
+    shi_two_cross(d, e, f);
+    for (k = 0; k < 3; k++) n[k] = f[k].h;
+#endif
+}
 
 /* Rules for small triangles, in barycentric coordinates of the second and third vertex, weights summing to 1/2: 1 point, 3
  * points (degree 2), 7 points (degree 5), then k x k Gauss points (degree 2k-2). `limit`: bands times angular diameter up
@@ -3931,10 +4004,10 @@ SHI_INLINE void SHI_KN(shi_polygon_block)(int n, int planes, int sides, const SH
         { 1e-8, 1e-5, 4e-3, 0.02, 0.06, 0.15, 0.3, 0.55, 0.9, 1.3, 1.8 } };
     const SHI_V zero = SHI_SPLAT(0), one = SHI_SPLAT(1);
     const SHI_T biggest = SHI_BITS == 32 ? SHI_C(1e8) : SHI_C(1e75), smallest = SHI_C(1) / biggest;
-    const SHI_T end_on = SHI_BITS == 32 ? SHI_C(1e-30) : SHI_C(1e-200 * (SHI_BITS == 64));
+    SHI_T end_on, at_vertex;                                /* |A x E|, |A| that count as 0 */
     const int gradient = planes >= SH_GRADIENT, slope = n * (n + 1), flux = n * (n - 1);
     SHI_V *const s = work, *const t = work + (n + 1) * (n + 2);
-    SHI_V x[3], a0[3], d2, dist, volume = zero, sum = zero, turn = zero, sign, factor, small_factor, wide_factor, size;
+    SHI_V x[3], least = one, a0[3], d2, dist, volume = zero, sum = zero, turn = zero, sign, factor, small_factor, wide_factor, size;
     SHI_V node[SHI_KN(shi_nodes_at_once) * 5];
     SHI_M small, bad;
     SHI_T center[3] = { 0, 0, 0 }, radius = 0;
@@ -3954,6 +4027,8 @@ SHI_INLINE void SHI_KN(shi_polygon_block)(int n, int planes, int sides, const SH
         *hard = SHI_NOT(bad);
         return;
     }
+    end_on = (SHI_BITS == 32 ? SHI_C(1e-20) : SHI_C(1e-100 * (SHI_BITS == 64))) * radius * radius;
+    at_vertex = (SHI_BITS == 32 ? SHI_C(1e-9) : SHI_C(1e-40)) * radius;
     d2 = zero;
     for (k = 0; k < 3; k++) d2 += (center[k] - points[k]) * (center[k] - points[k]);
     dist = SHI_SQRT(d2);
@@ -3965,52 +4040,53 @@ SHI_INLINE void SHI_KN(shi_polygon_block)(int n, int planes, int sides, const SH
     }
     size = dist - SHI_C(4) * radius;
     small = (SHI_M)(size > zero);
-    size = SHI_SELECT(small, SHI_C(2 * n) * radius / (dist - SHI_SELECT(small, SHI_SPLAT(radius), zero)), SHI_SPLAT(100));
+    size = SHI_SELECT(small, SHI_C(2 * (n + 1)) * radius / (dist - SHI_SELECT(small, SHI_SPLAT(radius), zero)), SHI_SPLAT(100));
     small &= (SHI_M)(size < SHI_C(limits[SHI_BITS == 64][SHI_RULES - 1]));
 
     /* side, and the solid angle of the fan where it will be wanted */
     {
         const int wide = SHI_ANY(SHI_NOT(small));
-        SHI_V b[3], r0 = zero, rb = zero, d0b = zero;
-        for (i = 1; i < count; i++) {
+        SHI_V b[3], u0[3], i0 = zero, ib = zero, cos0b = zero;         /* directions, 1/distances */
+        for (k = 0; k < 3; k++) u0[k] = b[k] = zero;
+        for (i = wide ? 0 : 2; i < count; i++) {
             double n2[3] = { 0, 0, 0 };
-            SHI_V c[3], det, rc, d0c, dbc;
-            for (k = 0; k < 3; k++) c[k] = v[3 * i + (size_t)k] - x[k];
+            SHI_V c[3], det = zero, ic, cos0c;
             if (i > 1) {
-                for (k = 0; k < 3; k++) {
-                    const size_t p = (size_t)((k + 1) % 3), q = (size_t)((k + 2) % 3);
-                    n2[k] = ((double)v[3 * i - 3 + p] - (double)v[p]) * ((double)v[3 * i + q] - (double)v[q])
-                          - ((double)v[3 * i - 3 + q] - (double)v[q]) * ((double)v[3 * i + p] - (double)v[p]);
-                }
+                SHI_FN(shi_fan_normal)(v, v + 3 * i - 3, v + 3 * i, n2);
                 det = SHI_KN(shi_polygon_height)(x, v, n2);
                 volume += det;
-            } else {
-                det = zero;
             }
             if (!wide) continue;
-            if (i == 1) r0 = SHI_SQRT(a0[0] * a0[0] + a0[1] * a0[1] + a0[2] * a0[2]);
-            rc = SHI_SQRT(c[0] * c[0] + c[1] * c[1] + c[2] * c[2]);
-            d0c = a0[0] * c[0] + a0[1] * c[1] + a0[2] * c[2];
-            if (i > 1) {
-                SHI_V solid;
-                dbc = b[0] * c[0] + b[1] * c[1] + b[2] * c[2];
-                solid = SHI_C(2) * SHI_KN(shi_polygon_angle)(SHI_ABS(det), r0 * rb * rc + d0b * rc + dbc * r0 + d0c * rb);
+            for (k = 0; k < 3; k++) c[k] = v[3 * i + (size_t)k] - x[k];
+            ic = c[0] * c[0] + c[1] * c[1] + c[2] * c[2];
+            ic = one / SHI_SQRT(SHI_SELECT(ic > zero, ic, one));
+            for (k = 0; k < 3; k++) c[k] = c[k] * ic;
+            cos0c = u0[0] * c[0] + u0[1] * c[1] + u0[2] * c[2];
+            if (i == 0) {
+                for (k = 0; k < 3; k++) u0[k] = c[k];
+                i0 = ic;
+            } else if (i > 1) {
+                const SHI_V cosbc = b[0] * c[0] + b[1] * c[1] + b[2] * c[2];
+                const SHI_V even = ((one + cos0b) + cosbc) + cos0c;
+                const SHI_V solid = SHI_C(2) * SHI_KN(shi_polygon_angle)(((SHI_ABS(det) * i0) * ib) * ic, even);
+                least = SHI_SELECT(even < least, even, least);
                 sum += SHI_SELECT(det < zero, -solid, solid);
             }
             for (k = 0; k < 3; k++) b[k] = c[k];
-            rb = rc;
-            d0b = d0c;
+            ib = ic;
+            cos0b = cos0c;
         }
         for (i = 0; wide && i < count; i++) {               /* on an edge: seen end on, between its ends */
             const SHI_T *from = v + 3 * i, *to = i + 1 < count ? v + 3 * i + 3 : v;
-            SHI_V c[3], cross = zero, dot = zero;
+            SHI_V c[3], cross = zero, dot = zero, near = zero;
             for (k = 0; k < 3; k++) c[k] = from[k] - x[k];
             for (k = 0; k < 3; k++) {
                 const int p = (k + 1) % 3, q = (k + 2) % 3;
                 cross += SHI_ABS(c[p] * (to[q] - from[q]) - c[q] * (to[p] - from[p]));
                 dot += c[k] * (to[k] - x[k]);
+                near += SHI_ABS(c[k]);
             }
-            bad |= (SHI_M)(cross <= end_on) & (SHI_M)(dot <= zero);
+            bad |= ((SHI_M)(cross <= end_on) & (SHI_M)(dot <= zero)) | (SHI_M)(near < at_vertex);
         }
     }
     bad |= (SHI_M)(volume == zero);
@@ -4035,11 +4111,10 @@ SHI_INLINE void SHI_KN(shi_polygon_block)(int n, int planes, int sides, const SH
             SHI_V det;
             int fill = 0, j;
             for (k = 0; k < 3; k++) {
-                const size_t p = (size_t)((k + 1) % 3), q = (size_t)((k + 2) % 3);
-                n2[k] = ((double)e1[p] - (double)v[p]) * ((double)e2[q] - (double)v[q]) - ((double)e1[q] - (double)v[q]) * ((double)e2[p] - (double)v[p]);
                 e[k] = e1[k] - v[k];
                 f[k] = e2[k] - v[k];
             }
+            SHI_FN(shi_fan_normal)(v, e1, e2, n2);
             det = SHI_KN(shi_polygon_height)(x, v, n2);
             for (l = 0; l < ns * (ns + 1); l++) s[l] = zero;
             for (l = 0; l < nt * (nt + 1); l++) t[l] = zero;
@@ -4102,7 +4177,7 @@ SHI_INLINE void SHI_KN(shi_polygon_block)(int n, int planes, int sides, const SH
             ri = one / SHI_SELECT(seen, r, one);
             for (k = 0; k < 3; k++) {
                 mu[k] = mu[k] * inverse;
-                w[k] = a[k] * ri;
+                w[k] = SHI_SELECT(seen, a[k] * ri, k == 2 ? one : zero);
             }
             lambda[0] = mu[1] * w[2] - mu[2] * w[1];
             lambda[1] = mu[2] * w[0] - mu[0] * w[2];
@@ -4182,7 +4257,8 @@ SHI_INLINE void SHI_KN(shi_polygon_block)(int n, int planes, int sides, const SH
                 exact += SHI_SELECT(exact < sum - half, whole + zero, zero);
                 exact -= SHI_SELECT(exact > sum + half, whole + zero, zero);
             }
-            exact = SHI_SELECT(SHI_ABS(sum) < SHI_C(0.5), sum, exact);
+            /* the fan is relatively exact but near its sides' planes, where the sides are long and turn well-defined angles */
+            exact = SHI_SELECT((SHI_M)(SHI_ABS(sum) < SHI_C(0.5)) & (SHI_M)(least > SHI_C(0.25)), sum, exact);
             *omega += wide_factor * exact;
         }
     }
@@ -4255,58 +4331,6 @@ SHI_INLINE void SHI_KN(shi_polygon_lobe_sum)(int n, int vectors, const SHI_T *we
 
 #if SHI_BITS == 64
 
-/* ---- exact differences and products: a value as an unevaluated sum of two doubles (Knuth; Dekker) ----
- * volatile keeps every rounding where it is written, under contraction and -ffast-math too */
-
-typedef struct { double h, l; } shi_two;
-
-SHI_INLINE shi_two shi_two_sum(double a, double b)
-{
-    volatile double s = a + b, t = s - a, u = s - t, v = a - u, w = b - t;
-    shi_two r;
-    r.h = s;
-    r.l = v + w;
-    return r;
-}
-SHI_INLINE shi_two shi_two_product(double a, double b)
-{
-    volatile double p = a * b, c = 134217729.0 * a, d = 134217729.0 * b, t = c - a, u = d - b;
-    volatile double ah = c - t, bh = d - u, al = a - ah, bl = b - bh;
-    volatile double q = ah * bh, e = q - p, f = ah * bl, g = e + f, h = al * bh, i = g + h;
-    shi_two r;
-    r.h = p;
-    r.l = i + al * bl;
-    return r;
-}
-SHI_INLINE shi_two shi_two_add(shi_two a, shi_two b)
-{
-    shi_two s = shi_two_sum(a.h, b.h), t = shi_two_sum(a.l, b.l);
-    s = shi_two_sum(s.h, s.l + t.h);
-    return shi_two_sum(s.h, s.l + t.l);
-}
-SHI_INLINE shi_two shi_two_times(shi_two a, shi_two b)
-{
-    const shi_two p = shi_two_product(a.h, b.h);
-    return shi_two_sum(p.h, p.l + (a.h * b.l + a.l * b.h));
-}
-SHI_INLINE shi_two shi_two_minus(shi_two a, shi_two b)
-{
-    b.h = -b.h;
-    b.l = -b.l;
-    return shi_two_add(a, b);
-}
-SHI_INLINE void shi_two_cross(const shi_two a[3], const shi_two b[3], shi_two c[3])
-{
-    int k;
-    for (k = 0; k < 3; k++) {
-        const int i = (k + 1) % 3, j = (k + 2) % 3;
-        c[k] = shi_two_minus(shi_two_times(a[i], b[j]), shi_two_times(a[j], b[i]));
-    }
-}
-SHI_INLINE shi_two shi_two_dot(const shi_two a[3], const shi_two b[3])
-{
-    return shi_two_add(shi_two_add(shi_two_times(a[0], b[0]), shi_two_times(a[1], b[1])), shi_two_times(a[2], b[2]));
-}
 SHI_INLINE double shi_dot3(const double a[3], const double b[3])
 {
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];

@@ -30,3 +30,20 @@ check-tables-product:
 .PHONY: check-conventions
 check-conventions:
 	$(PYTHON) tests/conventions/check.py $(BUILD)/conventions
+
+# The rules and lobe sets of sh_polygon.h; tools/gen_lobes.py --optimise searches new directions.
+TABLE_CHECKS += check-tables-polygon
+.PHONY: tables-polygon check-tables-polygon fuzz-polygon
+tables: tables-polygon
+tables-polygon:
+	$(PYTHON) tools/gen_lobes.py
+check-tables-polygon:
+	$(PYTHON) tools/gen_lobes.py --check
+
+# Raw bits into every call of sh_polygon.h: what comes out is finite. FUZZ_ROUNDS=100000 takes half a minute.
+FUZZ_ROUNDS ?= 20000
+fuzz: fuzz-polygon
+fuzz-polygon: $(BUILD)/fuzz_polygon
+	$(BUILD)/fuzz_polygon $(FUZZ_ROUNDS)
+$(BUILD)/fuzz_polygon: tests/fuzz_polygon.c sh_polygon.h sh_gradient.h | $(BUILD)
+	$(CC) $(CPPFLAGS) $(CFLAGS) $(WARN) -o $@ $< -lm

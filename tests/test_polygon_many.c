@@ -1,0 +1,578 @@
+/* test_polygon_many.c - sums over polygons, WR18's route and its tables, triangle as sphere, tolerance, textures. */
+#ifndef T
+#include "sh_polygon.h"
+#include "report.h"
+#include "ref.h"
+
+#define BOTH "test_polygon_many.c"
+
+/* ---- tables, proven without their generator ---- */
+
+/* W_l A_l^T = 1 on every band, with the definition of Y; condition of A_l by power iteration on both ends */
+static void lobes(void **state)
+{
+    static const int sets[6] = { 3, 5, 7, 9, 12, 16 };
+    static const double documented[6] = { 1.83, 2.50, 3.01, 3.82, 4.66, 6.08 };     /* MATH: 2.5, 4.1, 6.2 at 5, 9, 15 bands */
+    row *identity = row_open("lobe weights invert the lobes", "f64"), *unit = row_open("lobes are unit vectors", "f64");
+    row *condition = row_open("worst condition of a band / documented", "f64");
+    int s;
+    (void)state;
+    for (s = 0; s < 6; s++) {
+        static long double y[31][256];
+        const double *dirs, *weights;
+        const int n = shi_lobe_set_f64(sets[s], &dirs, &weights), lobe_count = 2 * n - 1;
+        int d, l, i, j, k;
+        assert_int_equal(n, sets[s]);
+        for (d = 0; d < lobe_count; d++) {
+            const long double v[3] = { dirs[3 * d], dirs[3 * d + 1], dirs[3 * d + 2] };
+            row_case("%d bands, lobe %d", n, d);
+            row_check(unit, v[0] * v[0] + v[1] * v[1] + v[2] * v[2], 1, 4 * (long double)DBL_EPSILON, 0);
+            ref_values(n, v, y[d]);
+        }
+        for (l = 0; l < n; l++) {
+            const long double scale = sqrtl(4 * REF_PI / (2 * l + 1));
+            long double a[31][31], v[31], high = 0, low = 0;
+            row_case("%d bands, band %d", n, l);
+            for (i = 0; i < 2 * l + 1; i++)
+                for (j = 0; j < 2 * l + 1; j++) {
+                    long double sum = 0, gram = 0;
+                    for (d = 0; d < lobe_count; d++) {
+                        sum += weights[(l * l + i) * lobe_count + d] * scale * y[d][l * l + j];
+                        gram += scale * scale * y[d][l * l + i] * y[d][l * l + j];
+                    }
+                    a[i][j] = gram;
+                    row_check(identity, sum, i == j, 16 * (long double)DBL_EPSILON, i);
+                }
+            for (k = 0; k < 2; k++) {       /* largest eigenvalue, then of (largest - A) */
+                for (i = 0; i < 2 * l + 1; i++) v[i] = 1 + i % 3 + 0.1L * i;
+                for (d = 0; d < 4000; d++) {
+                    long double w[31], norm = 0;
+                    for (i = 0; i < 2 * l + 1; i++) {
+                        w[i] = 0;
+                        for (j = 0; j < 2 * l + 1; j++) w[i] += (k ? (i == j ? high : 0) - a[i][j] : a[i][j]) * v[j];
+                        norm += w[i] * w[i];
+                    }
+                    norm = sqrtl(norm);
+                    if (norm == 0) break;
+                    for (i = 0; i < 2 * l + 1; i++) v[i] = w[i] / norm;
+                    if (k) low = high - norm;
+                    else high = norm;
+                }
+            }
+            if (l == 0) low = high;
+            row_check(condition, sqrtl(high / low), 0, documented[s], l);
+        }
+    }
+    row_close(identity);
+    row_close(unit);
+    row_close(condition);
+}
+
+/* n-point rules integrate x^0 .. x^(2n-1) */
+static void rules(void **state)
+{
+    row *w = row_open("Gauss rules integrate 2n-1 powers", "f64");
+    int n, i, p;
+    (void)state;
+    for (n = 1; n <= 16; n++)
+        for (p = 0; p < 2 * n; p++) {
+            long double sum = 0;
+            row_case("%d points, power %d", n, p);
+            for (i = 0; i < n; i++) {
+                double weight;
+                const double x = shi_gauss_node(n, i, &weight);
+                sum += weight * powl(2 * (long double)x - 1, p);
+            }
+            row_check(w, sum, p % 2 ? 0 : 1.0L / (p + 1), 4 * (long double)DBL_EPSILON, p);
+        }
+    row_close(w);
+}
+
+#include "both.h"
+
+int main(void)
+{
+    const struct CMUnitTest t[] = {
+        cmocka_unit_test(lobes), cmocka_unit_test(rules), BOTH_TESTS(sums), BOTH_TESTS(lanes), BOTH_TESTS(grids), BOTH_TESTS(on_light),
+        BOTH_TESTS(statuses), BOTH_TESTS(zonal), BOTH_TESTS(route), BOTH_TESTS(sphere), BOTH_TESTS(sphere_cases), BOTH_TESTS(within), BOTH_TESTS(texture)
+    };
+    return RUN_TESTS(t);
+}
+#else
+
+/* kind as in test_polygon.c; coordinates in T; *per the perimeter in radians, *kappa sum of angle/distance over edges */
+static int F(make)(T *v, T *p, int kind, double ratio, double graze)
+{
+    static const double l_shape[12] = { 0, 0, 2, 0, 2, 1, 1, 1, 1, 2, 0, 2 };
+    double u[3], w[3], n[3], d = 0, s = 0, az = ref_between(0, 6.283), lateral = sqrt(fabs(1 - graze * graze)) / ratio;
+    const int count = kind == 0 || kind == 4 ? 3 : kind == 1 ? 4 : kind == 2 ? 5 : 6;
+    int i, k;
+    ref_unit(u);
+    do {
+        ref_unit(w);
+        d = u[0] * w[0] + u[1] * w[1] + u[2] * w[2];
+    } while (fabs(d) > 0.9);
+    for (k = 0; k < 3; k++) {
+        w[k] -= d * u[k];
+        s += w[k] * w[k];
+    }
+    for (k = 0; k < 3; k++) w[k] /= sqrt(s);
+    n[0] = u[1] * w[2] - u[2] * w[1];
+    n[1] = u[2] * w[0] - u[0] * w[2];
+    n[2] = u[0] * w[1] - u[1] * w[0];
+    for (i = 0; i < count; i++) {
+        const double a = 6.283185307 * (i + ref_between(-0.3, 0.3)) / count;
+        double x = kind == 3 ? l_shape[2 * i] - 0.8 : cos(a), y = kind == 3 ? l_shape[2 * i + 1] - 0.8 : sin(a);
+        if (kind == 4) {
+            x = i ? 1 : -1;
+            y = i == 2 ? 0.002 : 0;
+        }
+        for (k = 0; k < 3; k++) v[3 * i + k] = (T)(float)(x * u[k] + y * w[k]);
+    }
+    for (k = 0; k < 3; k++) p[k] = (T)(float)(n[k] * graze / ratio + lateral * (cos(az) * u[k] + sin(az) * w[k]));
+    return count;
+}
+
+/* what the documented bounds of the fast path are made of: perimeter seen, sum of edge angle / edge distance, angular diameter */
+static void F(measure)(const T *v, const T *p, int count, long double *perimeter, long double *kappa, long double *nearest, long double *size)
+{
+    long double center[3] = { 0, 0, 0 }, radius = 0, distance = 0;
+    int i, k;
+    for (i = 0; i < 3 * count; i++) center[i % 3] += (long double)v[i] / count;
+    for (i = 0; i < count; i++) {
+        long double r = 0;
+        for (k = 0; k < 3; k++) r += ((long double)v[3 * i + k] - center[k]) * ((long double)v[3 * i + k] - center[k]);
+        if (r > radius) radius = r;
+    }
+    radius = sqrtl(radius);
+    for (k = 0; k < 3; k++) distance += ((long double)p[k] - center[k]) * ((long double)p[k] - center[k]);
+    distance = sqrtl(distance);
+    *size = distance > 4 * radius ? 2 * radius / (distance - radius) : 100;
+    *perimeter = *kappa = 0;
+    *nearest = 1e300L;
+    for (i = 0; i < count; i++) {
+        const T *const a = v + 3 * i, *const b = v + 3 * ((i + 1) % count);
+        long double x[3], y[3], c = 0, d = 0, e = 0, s = 0, t = 0, g;
+        for (k = 0; k < 3; k++) {
+            x[k] = (long double)a[k] - (long double)p[k];
+            y[k] = (long double)b[k] - (long double)p[k];
+            d += x[k] * y[k];
+            e += (y[k] - x[k]) * (y[k] - x[k]);
+            s -= x[k] * (y[k] - x[k]);
+        }
+        for (k = 0; k < 3; k++) {
+            const long double h = x[(k + 1) % 3] * y[(k + 2) % 3] - x[(k + 2) % 3] * y[(k + 1) % 3];
+            c += h * h;
+        }
+        g = atan2l(sqrtl(c), d);
+        s = e > 0 ? s / e : 0;
+        s = s < 0 ? 0 : s > 1 ? 1 : s;
+        for (k = 0; k < 3; k++) t += (x[k] + s * (y[k] - x[k])) * (x[k] + s * (y[k] - x[k]));
+        t = sqrtl(t);
+        *perimeter += g;
+        *kappa += g / t;
+        if (t < *nearest) *nearest = t;
+    }
+}
+
+/* one polygon, one point: sh_polygons_n against sh_polygon, with the bound of the header */
+static void F(sums)(void **state)
+{
+    static const int bands_of[5] = { 1, 3, 5, 9, 16 };
+    row *values = row_open("sh_polygons_n values", PRECISION), *gradient = row_open("sh_polygons_n gradient", PRECISION);
+    int i, k, a;
+    (void)state;
+    for (i = 0; i < effort(4000); i++) {
+        T v[18], p[3], out[1024];
+        double vd[18], pd[3], c[256], g[768], spread;
+        const int n = bands_of[i / 5 % 5], kind = i % 5;
+        const double ratio = ref_log_between(1e-5, 4), graze = i % 3 ? ref_between(0.1, 1) : ref_log_between(1e-6, 1);
+        const int count = F(make)(v, p, kind, ratio, graze);
+        long double perimeter, kappa, nearest, size, grazing = 1;
+        for (k = 0; k < 3; k++) pd[k] = (double)p[k];
+        for (k = 0; k < 3 * count; k++) vd[k] = (double)v[k];
+        F(measure)(v, p, count, &perimeter, &kappa, &nearest, &size);
+        if (shi_polygon_engine(n, SH_BOTH, 1, pd, (size_t)count, vd, 0, c, g, &spread) || nearest < 1e-3L) continue;
+        assert_int_equal(F(sh_polygons_n)(n, SH_GRADIENT, 1, SH_BOTH, 1, p, 1, &count, v, NULL, out), SH_OK);
+        /* in double, heights above the plane are rounded: by eps of the distance */
+        if (!IS_F32) grazing = 1 + 1 / (long double)graze / 8;
+        row_case("kind %d, %d bands, size/distance %.1e, sine %.1e", kind, n, ratio, graze);
+        {
+            const long double large = size * (n + 1) < (IS_F32 ? 2.5L : 1.7L) ? 0 : 1;
+            const long double slope = sqrtl((long double)(g[0] * g[0] + g[n * n] * g[n * n] + g[2 * n * n] * g[2 * n * n])) * sqrtl(4 * REF_PI);
+            for (k = 0; k < n * n; k++) {
+                const int l = ref_band(k);
+                row_check(values, (long double)out[k], (long double)c[k],
+                    64 * (long double)EPS * ref_M(l) * (spread * grazing + large * perimeter / 4), k);
+                for (a = 0; a < 3; a++)
+                    row_check(gradient, (long double)out[(a + 1) * n * n + k], (long double)g[a * n * n + k],
+                        64 * (long double)EPS * ((ref_M(l) * slope + ref_G(l) * spread / nearest) * grazing + large * ref_M(l) * kappa), (a + 1) * n * n + k);
+            }
+        }
+    }
+    row_close(values);
+    row_close(gradient);
+}
+
+/* the same bits for a point wherever it sits in the batch, and however many there are; values alone are the values */
+static void F(lanes)(void **state)
+{
+    enum { POINTS = 37, N = 36 };
+    static T v[3 * 15], p[3 * POINTS], all[POINTS * 4 * N], one[4 * N], values[POINTS * N];
+    static const int counts[3] = { 4, 5, 6 };
+    int i, k, at = 0;
+    (void)state;
+    for (i = 0; i < 3; i++) {
+        T unused[3];
+        at += F(make)(v + 3 * at, unused, i + 1, 1, 0.5);
+    }
+    for (i = 0; i < 3 * POINTS; i++) p[i] = (T)ref_between(-4, 4);
+    for (i = 0; i < 9; i++) p[3 * 8 + i] = p[i % 3];            /* a vector of like points */
+    assert_int_equal(F(sh_polygons_n)(6, SH_GRADIENT, 1, SH_BOTH, POINTS, p, 3, counts, v, NULL, all), SH_OK);
+    assert_int_equal(F(sh_polygons_n)(6, SH_VALUES, 1, SH_BOTH, POINTS, p, 3, counts, v, NULL, values), SH_OK);
+    for (i = 0; i < POINTS; i++) {
+        /* node counts follow the vector a point shares: equal to the bound, not to the bit */
+        F(sh_polygons)(6, SH_GRADIENT, 1, SH_BOTH, p + 3 * i, 3, counts, v, NULL, one);
+        for (k = 0; k < N; k++) {
+            assert_true(fabs((double)(one[k] - all[4 * N * i + k])) <= 64 * (double)EPS * (double)one[0] * sqrt(2 * ref_band(k) + 1));
+            assert_true(fabs((double)(values[N * i + k] - all[4 * N * i + k])) <= 64 * (double)EPS * (double)one[0] * sqrt(2 * ref_band(k) + 1));
+        }
+    }
+}
+
+/* a grid is its nodes, any range of it; channels are separate sums; sides add up */
+static void F(grids)(void **state)
+{
+    enum { N = 16, NODES = 3 * 2 * 4 };
+    static T v[3 * 9], p[3 * NODES], grid_out[NODES * 5 * 4 * N], point_out[NODES * 5 * 4 * N], single[NODES * 4 * N], radiance[10];
+    static const int counts[2] = { 4, 5 };
+    F(sh_grid) g = { { -1, -2, (T)-1.5 }, { (T)0.75, 1, (T)0.875 }, { 3, 2, 4 } };
+    T unused[3];
+    int i, k, c, at;
+    (void)state;
+    at = F(make)(v, unused, 1, 1, 0.5);
+    F(make)(v + 3 * at, unused, 2, 1, 0.5);
+    for (i = 0; i < 10; i++) radiance[i] = (T)ref_between(0, 2);
+    for (i = 0; i < NODES; i++) {
+        p[3 * i] = g.origin[0] + (T)(i % 3) * g.cell[0];
+        p[3 * i + 1] = g.origin[1] + (T)(i / 3 % 2) * g.cell[1];
+        p[3 * i + 2] = g.origin[2] + (T)(i / 6) * g.cell[2];
+    }
+    assert_int_equal(F(sh_polygons_n)(4, SH_GRADIENT, 5, SH_BOTH, NODES, p, 2, counts, v, radiance, point_out), SH_OK);
+    assert_int_equal(F(sh_polygons_grid)(4, SH_GRADIENT, 5, SH_BOTH, &g, 0, NODES, 2, counts, v, radiance, grid_out), SH_OK);
+    assert_memory_equal(grid_out, point_out, sizeof grid_out);
+    assert_int_equal(F(sh_polygons_grid)(4, SH_GRADIENT, 5, SH_BOTH, &g, 8, 8, 2, counts, v, radiance, grid_out), SH_OK);
+    assert_memory_equal(grid_out, point_out + 8 * 20 * N, 8 * 20 * N * sizeof *grid_out);
+    for (c = 0; c < 5; c++) {
+        assert_int_equal(F(sh_polygons_n)(4, SH_GRADIENT, 1, SH_BOTH, NODES, p, 2, counts, v, radiance + 2 * c, single), SH_OK);
+        for (i = 0; i < NODES; i++)
+            for (k = 0; k < 4 * N; k++)
+                assert_true(fabs((double)(single[4 * N * i + k] - point_out[(5 * i + c) * 4 * N + k])) <= 64 * (double)EPS * (1 + fabs((double)single[4 * N * i])));
+    }
+    assert_int_equal(F(sh_polygons_grid)(4, SH_GRADIENT, 5, SH_BOTH, &g, 20, 5, 2, counts, v, radiance, grid_out), SH_ERROR_COUNT);
+}
+
+/* points in the plane of a light, within a batch of others: as sh_polygon */
+static void F(on_light)(void **state)
+{
+    static const T v[12] = { -1, -1, 0, 3, -1, 0, 3, 3, 0, -1, 3, 0 };
+    static const T p[15] = { 0, 0, 1, (T)0.5, 1, 0, 5, 5, 0, 1, -1, 0, 3, 3, 0 };
+    static const int counts[1] = { 4 };
+    T out[5 * 256], c[64], g[192];
+    int i, k;
+    (void)state;
+    assert_int_equal(F(sh_polygons_n)(8, SH_GRADIENT, 1, SH_BOTH, 5, p, 1, counts, v, NULL, out), SH_ON_LIGHT);
+    for (i = 1; i < 5; i++) {
+        F(sh_polygon)(8, SH_BOTH, p + 3 * i, 4, v, c, g);
+        for (k = 0; k < 64; k++) assert_true(out[256 * i + k] == c[k]);
+        for (k = 0; k < 192; k++) assert_true(out[256 * i + 64 + k] == g[k]);
+    }
+    assert_int_equal(F(sh_polygons_zonal_n)(8, SH_GRADIENT, 1, SH_BOTH, 5, p, 1, counts, v, NULL, out), SH_ON_LIGHT);
+    for (i = 1; i < 5; i++) {
+        F(sh_polygon)(8, SH_BOTH, p + 3 * i, 4, v, c, g);
+        for (k = 0; k < 64; k++) assert_true(out[256 * i + k] == c[k]);
+    }
+}
+
+static void F(statuses)(void **state)
+{
+    static const T v[12] = { -1, -1, 0, 3, -1, 0, 3, 3, 0, -1, 3, 0 }, p[3] = { 0, 0, 1 };
+    static const int counts[1] = { 4 }, two[1] = { 2 };
+    T out[64], bad[6] = { 0, 0, 1, 0, 0, 0 };
+    int i;
+    (void)state;
+    for (i = 0; i < 64; i++) out[i] = 7;
+    assert_int_equal(F(sh_polygons_n)(4, 2, 1, SH_BOTH, 1, p, 1, counts, v, NULL, out), SH_ERROR_COUNT);
+    assert_int_equal(F(sh_polygons_n)(4, SH_VALUES, 2, SH_BOTH, 1, p, 1, counts, v, NULL, out), SH_ERROR_COUNT);
+    assert_int_equal(F(sh_polygons_n)(17, SH_VALUES, 1, SH_BOTH, 1, p, 1, counts, v, NULL, out), SH_ERROR_BANDS);
+    assert_int_equal(F(sh_polygons_n)(4, SH_VALUES, 1, 5, 1, p, 1, counts, v, NULL, out), SH_ERROR_OPTION);
+    assert_int_equal(F(sh_polygons_n)(4, SH_VALUES, 1, SH_BOTH, 1, NULL, 1, counts, v, NULL, out), SH_ERROR_NULL);
+    assert_int_equal(F(sh_polygons_n)(4, SH_VALUES, 1, SH_BOTH, 1, p, 1, NULL, v, NULL, out), SH_ERROR_NULL);
+    assert_int_equal(F(sh_polygons_n)(4, SH_VALUES, 1, SH_BOTH, 1, p, 1, two, v, NULL, out), SH_ERROR_VERTICES);
+    assert_int_equal(F(sh_polygons_n)(4, SH_VALUES, 1, SH_BOTH, 0, p, 1, counts, v, NULL, out), SH_OK);
+    for (i = 0; i < 64; i++) assert_true(out[i] == 7);
+    {   /* a point that is not finite leaves its own output only */
+        const unsigned char infinity32[4] = { 0, 0, 0x80, 0x7f }, infinity64[8] = { 0, 0, 0, 0, 0, 0, 0xf0, 0x7f };
+        memcpy(&bad[1], IS_F32 ? infinity32 : infinity64, sizeof bad[1]);
+        assert_int_equal(F(sh_polygons_n)(4, SH_VALUES, 1, SH_BOTH, 2, bad, 1, counts, v, NULL, out), SH_ERROR_NOT_FINITE);
+        assert_true(out[0] == 7);
+    }
+    /* no polygons: zeros */
+    assert_int_equal(F(sh_polygons_n)(4, SH_GRADIENT, 1, SH_BOTH, 1, p, 0, NULL, NULL, NULL, out), SH_OK);
+    for (i = 0; i < 64; i++) assert_true(out[i] == 0);
+}
+
+/* zonal integrals: the coefficients projected on the axis; sum over a band of squares by the addition theorem */
+static void F(zonal)(void **state)
+{
+    row *values = row_open("sh_polygon_zonal values", PRECISION), *gradient = row_open("sh_polygon_zonal gradient", PRECISION);
+    int i, k, l, a;
+    (void)state;
+    for (i = 0; i < effort(300); i++) {
+        T v[18], p[3], axis[3], s[16], sg[48];
+        double vd[18], pd[3], u[3], c[256], g[768], spread;
+        long double y[256], axis_l[3], perimeter, kappa, nearest, size;
+        const double ratio = ref_log_between(1e-5, 4);
+        const int count = F(make)(v, p, i % 5, ratio, ref_between(0.05, 1));
+        ref_unit(u);
+        for (k = 0; k < 3; k++) {
+            pd[k] = (double)p[k];
+            axis[k] = (T)u[k] * 3;
+            axis_l[k] = (long double)axis[k];
+        }
+        for (k = 0; k < 3 * count; k++) vd[k] = (double)v[k];
+        F(measure)(v, p, count, &perimeter, &kappa, &nearest, &size);
+        if (shi_polygon_engine(16, SH_BOTH, 1, pd, (size_t)count, vd, 0, c, g, &spread) || nearest < 1e-2L) continue;
+        ref_values(16, axis_l, y);
+        assert_int_equal(F(sh_polygon_zonal)(16, axis, p, (size_t)count, v, s, sg), SH_OK);
+        row_case("kind %d, size/distance %.1e, solid angle %.2g", i % 5, ratio, spread);
+        for (l = 0; l < 16; l++) {
+            long double want = 0, slope[3] = { 0, 0, 0 };
+            for (k = l * l; k < (l + 1) * (l + 1); k++) {
+                want += 4 * REF_PI / (2 * l + 1) * y[k] * c[k];
+                for (a = 0; a < 3; a++) slope[a] += 4 * REF_PI / (2 * l + 1) * y[k] * g[256 * a + k];
+            }
+            row_check(values, (long double)s[l], want, 64 * (long double)EPS * spread, l);
+            for (a = 0; a < 3; a++)
+                row_check(gradient, (long double)sg[16 * a + l], slope[a], 64 * (long double)EPS * (kappa + spread / nearest * (l + 1)), 16 * a + l);
+        }
+    }
+    row_close(values);
+    row_close(gradient);
+}
+
+/* WR18's route equals the direct one, absolutely */
+static void F(route)(void **state)
+{
+    row *values = row_open("sh_polygons_zonal_n values", PRECISION), *gradient = row_open("sh_polygons_zonal_n gradient", PRECISION);
+    int i, k, a, n;
+    (void)state;
+    for (i = 0; i < effort(300); i++) {
+        T v[36], p[3], out[2048], radiance[4] = { 1, 2, (T)0.5, (T)0.25 };
+        double sum[256], slope[768], scale = 0, c[256], g[768];
+        long double perimeter = 0, kappa = 0;
+        int counts[2], j, at = 0, bad = 0;
+        n = 1 + i % 16;
+        memset(sum, 0, sizeof sum);
+        memset(slope, 0, sizeof slope);
+        for (j = 0; j < 2; j++) {
+            long double one, edge, nearest, size;
+            double vd[18], pd[3];
+            T q[3];
+            counts[j] = F(make)(v + 3 * at, j ? q : p, (i + j) % 5, ref_between(0.2, 1), ref_between(0.2, 1));
+            for (k = 0; k < 3; k++) pd[k] = (double)p[k];
+            for (k = 0; k < 3 * counts[j]; k++) vd[k] = (double)v[3 * at + k];
+            F(measure)(v + 3 * at, p, counts[j], &one, &edge, &nearest, &size);
+            perimeter += one;
+            kappa += edge;
+            if (nearest < 0.02L) bad = 1;
+            if (shi_polygon_engine(n, i % 3, 1, pd, (size_t)counts[j], vd, 0, c, g, NULL)) bad = 1;
+            for (k = 0; k < n * n; k++) sum[k] += (double)radiance[j] * c[k];
+            for (k = 0; k < 3 * n * n; k++) slope[k] += (double)radiance[j] * g[k];
+            scale += fabs(c[0]);
+            at += counts[j];
+        }
+        if (bad) continue;
+        assert_int_equal(F(sh_polygons_zonal_n)(n, SH_GRADIENT, 2, i % 3, 1, p, 2, counts, v, radiance, out), SH_OK);
+        row_case("%d bands, sides %d", n, i % 3);
+        for (k = 0; k < n * n; k++) {
+            const int l = ref_band(k);
+            row_check(values, (long double)out[k], (long double)sum[k], 24 * (long double)EPS * ref_M(l) * (2 + perimeter), k);
+            for (a = 0; a < 3; a++)
+                row_check(gradient, (long double)out[(a + 1) * n * n + k], (long double)slope[a * n * n + k], 64 * (long double)EPS * ref_M(l) * kappa, (a + 1) * n * n + k);
+        }
+    }
+    row_close(values);
+    row_close(gradient);
+}
+
+/* triangle as sphere against its definition (M22 Eq. 24-28) by jets; its error bound against the exact triangle */
+static void F(sphere)(void **state)
+{
+    row *values = row_open("sh_triangle_as_sphere values", PRECISION), *gradient = row_open("sh_triangle_as_sphere gradient", PRECISION);
+    row *bound = row_open("sh_triangle_as_sphere error / its bound", PRECISION);
+    int i, k, a;
+    (void)state;
+    for (i = 0; i < effort(200); i++) {
+        T v[18], p[3], c[81], g[243], error = 0;
+        double vd[9], pd[3], exact[81], spread;
+        const double ratio = ref_log_between(1e-4, 0.6), graze = ref_log_between(1e-3, 1);
+        ref_jet sphere[81], y[3], normal[3], dot = ref_const(0), d2 = ref_const(0), cosine;
+        long double e1[3], e2[3], n[3], area = 0, center[3], point[3], total = 0;
+        F(make)(v, p, i % 4 ? 0 : 4, ratio, graze);
+        for (k = 0; k < 9; k++) vd[k] = (double)v[k];
+        for (k = 0; k < 3; k++) {
+            pd[k] = (double)p[k];
+            point[k] = (long double)p[k];
+            e1[k] = (long double)v[3 + k] - (long double)v[k];
+            e2[k] = (long double)v[6 + k] - (long double)v[k];
+            center[k] = ((long double)v[k] + (long double)v[3 + k] + (long double)v[6 + k]) / 3;
+        }
+        for (k = 0; k < 3; k++) {
+            n[k] = e1[(k + 1) % 3] * e2[(k + 2) % 3] - e1[(k + 2) % 3] * e2[(k + 1) % 3];
+            area += n[k] * n[k];
+        }
+        area = sqrtl(area);
+        for (k = 0; k < 3; k++) {
+            normal[k] = ref_const(n[k] / area);
+            y[k] = ref_sub(ref_var(point[k], k), ref_const(center[k]));
+            d2 = ref_add(d2, ref_mul(y[k], y[k]));
+            dot = ref_add(dot, ref_mul(normal[k], ref_sub(ref_var(point[k], k), ref_const((long double)v[k]))));
+        }
+        cosine = ref_div(dot, ref_sqrt(d2));
+        if (cosine.v < 0) cosine = ref_scale(-1, cosine);
+        ref_sphere(9, point, center, sqrtl(area / (2 * REF_PI)), sphere);
+        assert_int_equal(F(sh_triangle_as_sphere)(9, SH_BOTH, p, v, v + 3, v + 6, c, g, &error), SH_OK);
+        row_case("%s, size/distance %.1e, sine %.1e", i % 4 ? "triangle" : "needle", ratio, graze);
+        for (k = 0; k < 81; k++) {
+            const int l = ref_band(k);
+            const long double scale = sqrtl(4 * REF_PI) * sphere[0].v * cosine.v, d = sqrtl(d2.v);
+            ref_jet want = ref_mul(cosine, sphere[k]);
+            row_check(values, (long double)c[k], want.v, 24 * (long double)EPS * ref_M(l) * scale, k);
+            for (a = 0; a < 3; a++)
+                row_check(gradient, (long double)g[81 * a + k], want.g[a],
+                    32 * (long double)EPS * (ref_M(l) * (2 * scale / d + scale / cosine.v / d) + ref_G(l) * scale / d), 81 * a + k);
+        }
+        if (shi_polygon_engine(9, SH_BOTH, 1, pd, 3, vd, 0, exact, NULL, &spread) == SH_OK) {
+            for (k = 0; k < 81; k++) total += ((long double)c[k] - exact[k]) * ((long double)c[k] - exact[k]);
+            row_check(bound, sqrtl(total), 0, (long double)error + 256 * (long double)EPS * spread, 0);
+        }
+    }
+    row_close(values);
+    row_close(gradient);
+    row_close(bound);
+}
+
+/* M22's corners: in the plane, without area, inside the sphere, on the centroid; sides */
+static void F(sphere_cases)(void **state)
+{
+    static const T a[3] = { 0, 0, 0 }, b[3] = { 3, 0, 0 }, c[3] = { 0, 3, 0 }, flat[3] = { 9, 1, 0 }, near[3] = { 1, 1, (T)0.25 }, centroid[3] = { 1, 1, 0 };
+    static const T front[3] = { 1, 2, 5 }, behind[3] = { 1, 2, -5 };
+    T out[25], g[75], d[25], h[75], error = 0;
+    int i;
+    (void)state;
+    assert_int_equal(F(sh_triangle_as_sphere)(5, SH_BOTH, flat, a, b, c, out, g, NULL), SH_OK);
+    for (i = 0; i < 25; i++) assert_true(out[i] == 0);
+    for (i = 0; i < 75; i++) assert_true(g[i] == 0);
+    assert_int_equal(F(sh_triangle_as_sphere)(5, SH_SIGNED, flat, a, b, c, out, g, NULL), SH_OK);
+    assert_true(out[0] == 0 && g[50] > 0);
+    assert_int_equal(F(sh_triangle_as_sphere)(5, SH_BOTH, front, a, b, b, out, g, &error), SH_OK);
+    for (i = 0; i < 25; i++) assert_true(out[i] == 0);
+    assert_true(error == 0);
+    assert_int_equal(F(sh_triangle_as_sphere)(5, SH_BOTH, near, a, b, c, out, g, &error), SH_INSIDE);
+    assert_true(fabs((double)out[0] - 3.5449077018110320546) < 8 * (double)EPS);
+    for (i = 1; i < 25; i++) assert_true(out[i] == 0);
+    assert_true((double)error > 1e30);
+    assert_int_equal(F(sh_triangle_as_sphere)(5, SH_BOTH, centroid, a, b, c, out, g, &error), SH_INSIDE);
+    for (i = 0; i < 25; i++) assert_true(out[i] == 0);
+    F(sh_triangle_as_sphere)(5, SH_SIGNED, front, a, b, c, out, g, NULL);
+    F(sh_triangle_as_sphere)(5, SH_SIGNED, behind, a, b, c, d, h, NULL);
+    assert_true(out[0] > 0 && d[0] == -out[0]);
+    F(sh_triangle_as_sphere)(5, SH_FRONT, behind, a, b, c, d, h, NULL);
+    for (i = 0; i < 25; i++) assert_true(d[i] == 0);
+    for (i = 0; i < 75; i++) assert_true(h[i] == 0);
+    assert_int_equal(F(sh_triangle_as_sphere)(33, SH_BOTH, front, a, b, c, out, g, NULL), SH_ERROR_BANDS);
+    assert_int_equal(F(sh_triangle_as_sphere)(5, 4, front, a, b, c, out, g, NULL), SH_ERROR_OPTION);
+    assert_int_equal(F(sh_triangle_as_sphere)(5, SH_BOTH, front, NULL, b, c, out, g, NULL), SH_ERROR_NULL);
+}
+
+/* the guarantee of sh_polygon_within, and that every way is taken */
+static void F(within)(void **state)
+{
+    row *w = row_open("sh_polygon_within error / its bound", PRECISION), *given = row_open("... / tolerance", PRECISION);
+    int ways[4] = { 0, 0, 0, 0 }, i, k;
+    (void)state;
+    for (i = 0; i < effort(1500); i++) {
+        T v[18], p[3], c[81], error = 0;
+        double vd[18], pd[3], exact[81], spread;
+        long double total = 0;
+        const double ratio = ref_log_between(1e-3, 2), tolerance = ref_log_between(1e-8, 1e-1);
+        const int count = F(make)(v, p, i % 5, ratio, ref_between(0.02, 1)), n = 1 + i % 9;
+        int used;
+        for (k = 0; k < 3; k++) pd[k] = (double)p[k];
+        for (k = 0; k < 3 * count; k++) vd[k] = (double)v[k];
+        if (shi_polygon_engine(n, SH_SIGNED, 1, pd, (size_t)count, vd, 0, exact, NULL, &spread)) continue;
+        assert_int_equal(F(sh_polygon_within)(n, SH_SIGNED, (T)tolerance, p, (size_t)count, v, c, NULL, &error, &used), SH_OK);
+        for (k = 0; k < n * n; k++) total += ((long double)c[k] - exact[k]) * ((long double)c[k] - exact[k]);
+        row_case("kind %d, %d bands, size/distance %.1e, tolerance %.1e, way %d", i % 5, n, ratio, tolerance, used);
+        row_check(w, sqrtl(total), 0, (long double)error + 64 * (long double)EPS * spread * n, 0);
+        row_check(given, sqrtl(total), 0, (long double)tolerance + 64 * (long double)EPS * spread * n, 0);
+        ways[used]++;
+    }
+    for (i = 0; i < 4; i++) assert_true(ways[i] > 20);
+    row_close(w);
+    row_close(given);
+}
+
+/* texels apart, merged, and left out; the pieces tile the quad */
+static void F(texture)(void **state)
+{
+    enum { W = 5, H = 7 };
+    static const T quad[12] = { -1, -1, 0, 1, -1, 0, 1, 1, 0, -1, 1, 0 }, p[3] = { (T)0.25, (T)0.5, 1 };
+    static T texels[H * W * 2], vertices[W * H * 12], radiance[2 * W * H], out[2 * 25], merged[2 * 25], whole[25];
+    row *w = row_open("sh_textured_quad", PRECISION);
+    int counts[W * H], i, k;
+    size_t pieces, n;
+    (void)state;
+    for (i = 0; i < H * W; i++) {
+        texels[2 * i] = 1;
+        texels[2 * i + 1] = i % W < 2 ? (T)0.5 : (T)(0.5 + 0.01 * ref_between(-1, 1));
+    }
+    assert_int_equal(F(sh_textured_quad)(quad, W, H, 2, texels, (T)0.02, 0, &pieces, NULL, NULL, NULL), SH_OK);
+    assert_int_equal(pieces, 1);
+    assert_int_equal(F(sh_textured_quad)(quad, W, H, 2, texels, 0, W * H, &pieces, counts, vertices, radiance), SH_OK);
+    assert_true(pieces > 1 && pieces <= W * H);
+    assert_int_equal(F(sh_polygons)(5, SH_VALUES, 2, SH_BOTH, p, pieces, counts, vertices, radiance, out), SH_OK);
+    F(sh_polygon)(5, SH_BOTH, p, 4, quad, whole, NULL);
+    row_case("a channel of one radiance is the quad");
+    for (k = 0; k < 25; k++) row_check(w, (long double)out[k], (long double)whole[k], 64 * (long double)EPS * ref_M(ref_band(k)) * 3.6L, k);
+    for (i = 0; i < 4; i++) {
+        const T tolerance = (T)(0.002 * (1 << i));
+        double size = 0, error = 0;
+        assert_int_equal(F(sh_textured_quad)(quad, W, H, 2, texels, tolerance, W * H, &n, counts, vertices, radiance), SH_OK);
+        assert_true(n <= pieces);
+        F(sh_polygons)(5, SH_VALUES, 2, SH_BOTH, p, n, counts, vertices, radiance, merged);
+        row_case("merged within %g: %d pieces", (double)tolerance, (int)n);
+        for (k = 0; k < 25; k++) {
+            size += (double)whole[k] * (double)whole[k];
+            error += (double)(merged[25 + k] - out[25 + k]) * (double)(merged[25 + k] - out[25 + k]);
+        }
+        row_check(w, sqrtl((long double)error), 0, (long double)tolerance * 2 * sqrtl((long double)size) + 64 * (long double)EPS, 25);
+    }
+    for (i = 0; i < H * W * 2; i++) texels[i] = 0;
+    texels[2 * 17] = 3;
+    assert_int_equal(F(sh_textured_quad)(quad, W, H, 2, texels, 0, W * H, &n, counts, vertices, radiance), SH_OK);
+    assert_int_equal(n, 1);
+    assert_true(radiance[0] == 3 && radiance[1] == 0);
+    row_case("one texel lit: its square");
+    {
+        const T square[12] = { (T)(-1 + 2 * 2 / 5.), (T)(-1 + 2 * 3 / 7.), 0, (T)(-1 + 2 * 3 / 5.), (T)(-1 + 2 * 3 / 7.), 0, (T)(-1 + 2 * 3 / 5.), (T)(-1 + 2 * 4 / 7.), 0, (T)(-1 + 2 * 2 / 5.), (T)(-1 + 2 * 4 / 7.), 0 };
+        for (k = 0; k < 12; k++) row_check(w, (long double)vertices[k], (long double)square[k], 4 * (long double)EPS, k);
+    }
+    assert_int_equal(F(sh_textured_quad)(quad, W, H, 2, texels, 0, 0, &n, counts, vertices, radiance), SH_ERROR_COUNT);
+    assert_int_equal(F(sh_textured_quad)(quad, 0, H, 2, texels, 0, 0, &n, NULL, NULL, NULL), SH_ERROR_COUNT);
+    assert_int_equal(F(sh_textured_quad)(NULL, W, H, 2, texels, 0, 0, &n, NULL, NULL, NULL), SH_ERROR_NULL);
+    row_close(w);
+}
+
+#endif
