@@ -1,4 +1,4 @@
-/* basis.c - suite `basis`: values, derivatives, reconstruction and projection (the comparison of M22 Table 1). */
+/* basis.c - suite `basis`: values, derivatives, reconstruction and projection (what M22 Table 1 compares). */
 #include "basis.h"
 
 #include <math.h>
@@ -6,7 +6,7 @@
 
 #include "sh_gradient.h"
 
-enum { OUTPUT_BYTES = 16384 };
+enum { OUTPUT_BYTES = 20480 };
 
 static const int basis_bands[] = { 3, 4, 5, 6, 8, 10 };
 
@@ -34,29 +34,34 @@ static const int basis_bands[] = { 3, 4, 5, 6, 8, 10 };
 
 PER_CALL(values_library, FN(sh_eval)(in->bands, in->dirs + 3 * d, in->y + n2 * i))
 PER_CHUNK(values_library_n, FN(sh_eval_n)(in->bands, in->chunk, in->dirs + 3 * first, in->y))
-PER_CHUNK(values_library_blocks, FN(sh_eval_blocks)(in->bands, in->chunk / 8, in->dir_blocks + 3 * first, in->y))
+PER_CHUNK(values_library_blocks,
+          FN(sh_eval_blocks)(in->bands, in->chunk / 8, in->dir_blocks + 3 * first, in->y))
 
 /* ---- derivatives by the angles: y, then d/dtheta and d/dphi in the space of grad, [chunk][n^2] each ---- */
 
 PER_CALL(angles_library, FN(sh_eval_angles)(in->bands, in->theta[d], in->phi[d], ANGLE_OUTPUTS(n2)))
-PER_CHUNK(angles_library_n, FN(sh_eval_angles_n)(in->bands, in->chunk, in->theta + first, in->phi + first, in->y,
-          in->grad, in->grad + in->chunk * (size_t)(in->bands * in->bands)))
+PER_CHUNK(angles_library_n,
+          FN(sh_eval_angles_n)(in->bands, in->chunk, in->theta + first, in->phi + first, in->y, in->grad,
+                               in->grad + in->chunk * (size_t)(in->bands * in->bands)))
 
 /* ---- gradient by v ---- */
 
-PER_CALL(gradient_library, FN(sh_eval_grad)(in->bands, in->vectors + 3 * d, in->y + n2 * i, in->grad + 3 * n2 * i))
-PER_CHUNK(gradient_library_n, FN(sh_eval_grad_n)(in->bands, in->chunk, in->vectors + 3 * first, in->y, in->grad))
+PER_CALL(gradient_library,
+         FN(sh_eval_grad)(in->bands, in->vectors + 3 * d, in->y + n2 * i, in->grad + 3 * n2 * i))
+PER_CHUNK(gradient_library_n,
+          FN(sh_eval_grad_n)(in->bands, in->chunk, in->vectors + 3 * first, in->y, in->grad))
 PER_CHUNK(gradient_library_blocks,
           FN(sh_eval_grad_blocks)(in->bands, in->chunk / 8, in->vector_blocks + 3 * first, in->y, in->grad))
 
 /* ---- Hessian ---- */
 
-PER_CALL(hessian_library, FN(sh_eval_hessian)(in->bands, in->vectors + 3 * d, in->y + n2 * i, in->grad + 3 * n2 * i,
-                                              in->hess + 6 * n2 * i))
+PER_CALL(hessian_library, FN(sh_eval_hessian)(in->bands, in->vectors + 3 * d, in->y + n2 * i,
+                                              in->grad + 3 * n2 * i, in->hess + 6 * n2 * i))
 PER_CHUNK(hessian_library_n,
           FN(sh_eval_hessian_n)(in->bands, in->chunk, in->vectors + 3 * first, in->y, in->grad, in->hess))
-PER_CHUNK(hessian_library_blocks, FN(sh_eval_hessian_blocks)(in->bands, in->chunk / 8, in->vector_blocks + 3 * first,
-                                                             in->y, in->grad, in->hess))
+PER_CHUNK(hessian_library_blocks,
+          FN(sh_eval_hessian_blocks)(in->bands, in->chunk / 8, in->vector_blocks + 3 * first, in->y, in->grad,
+                                     in->hess))
 
 /* ---- sum of c_k Y_k at each direction, and sum of w Y over all: basis, then a loop ---- */
 
@@ -161,7 +166,7 @@ static void add(const basis_input *in, const char *kernel, const char *impl, voi
     c.input = in;
     c.lanes = strcmp(impl, "library_blocks") ? 1 : 8;
     c.held = in->chunk;
-    c.tolerance = 400 * REAL_EPS;       /* directions keep 0.1 rad from the poles, where M22's forms lose digits */
+    c.tolerance = 400 * REAL_EPS;       /* the directions keep off the poles, where M22's forms lose digits */
     c.out[0].data = in->y;
     c.out[0].numbers = n2;
     if (!strcmp(kernel, "values")) {
@@ -175,7 +180,7 @@ static void add(const basis_input *in, const char *kernel, const char *impl, voi
     } else if (!strcmp(kernel, "reconstruct")) {
         c.held = DIRECTIONS;
         c.out[0].numbers = 1;
-        c.flops = 6.0 * (double)n2 / 2;         /* Horner in z: an FMA and its share of the column, per coefficient */
+        c.flops = 3.0 * (double)n2;             /* Horner in z: an FMA per coefficient and its share of the column */
     } else if (!strcmp(kernel, "project")) {
         c.held = 1;
         c.flops = 2.0 * (double)n2 + 3.0 * (double)n2;  /* the basis at 3 per member, one FMA each */
@@ -192,16 +197,22 @@ static void add(const basis_input *in, const char *kernel, const char *impl, voi
     bench_add(&c);
 }
 
-static void add_bands(const basis_input *shared, int bands, int planes_kept)
+/* As many directions as keep the output in two thirds of L1, at least two blocks: a divisor of DIRECTIONS. */
+static size_t chunk_of(size_t numbers)
+{
+    static const size_t blocks[] = { 60, 30, 20, 15, 12, 10, 6, 5, 4, 3 };
+    size_t k;
+    for (k = 0; k < sizeof blocks / sizeof blocks[0]; k++)
+        if (8 * blocks[k] * numbers * sizeof(real) <= OUTPUT_BYTES) return 8 * blocks[k];
+    return 16;
+}
+
+static void add_bands(const basis_input *shared, int bands)
 {
     const size_t n2 = (size_t)(bands * bands);
-    /* as many directions as keep the output in half of L1, at least one block */
-#define CHUNK(planes) (OUTPUT_BYTES / ((planes) * n2 * sizeof(real)) < 16 ? 8 :                                   \
-                       OUTPUT_BYTES / ((planes) * n2 * sizeof(real)) < 32 ? 16 : 32)
     basis_input *in[4];
     static const size_t planes[4] = { 1, 4, 3, 10 };    /* values, gradient, angles, Hessian */
     int k;
-    (void)planes_kept;
     for (k = 0; k < 4; k++) {
         real *coeffs = bench_alloc(n2, sizeof(real));
         size_t i;
@@ -209,7 +220,7 @@ static void add_bands(const basis_input *shared, int bands, int planes_kept)
         *in[k] = *shared;
         for (i = 0; i < n2; i++) coeffs[i] = C(2 * bench_random() - 1);
         in[k]->bands = bands;
-        in[k]->chunk = CHUNK(planes[k]);
+        in[k]->chunk = chunk_of(planes[k] * n2);
         in[k]->coeffs = coeffs;
         in[k]->y = bench_alloc(n2 * in[k]->chunk + DIRECTIONS, sizeof(real));
         in[k]->grad = bench_alloc(3 * n2 * in[k]->chunk, sizeof(real));
@@ -271,7 +282,7 @@ void FN(bench_basis)(void)
     phi = bench_alloc(DIRECTIONS, sizeof(real));
     weights = bench_alloc(DIRECTIONS, sizeof(real));
     for (i = 0; i < DIRECTIONS; i++) {
-        const double t = 0.1 + (3.14159265358979 - 0.2) * bench_random(), p = 6.28318530717959 * bench_random();
+        const double t = 0.1 + 2.9415926535897931 * bench_random(), p = 6.283185307179586 * bench_random();
         const double u[3] = { sin(t) * cos(p), sin(t) * sin(p), cos(t) }, length = 0.5 + 1.5 * bench_random();
         theta[i] = C(t);
         phi[i] = C(p);
@@ -289,6 +300,6 @@ void FN(bench_basis)(void)
     shared.theta = theta;
     shared.phi = phi;
     shared.weights = weights;
-    for (k = 0; k < sizeof basis_bands / sizeof basis_bands[0]; k++) add_bands(&shared, basis_bands[k], 0);
+    for (k = 0; k < sizeof basis_bands / sizeof basis_bands[0]; k++) add_bands(&shared, basis_bands[k]);
     bench_run();
 }

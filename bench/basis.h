@@ -4,7 +4,7 @@
 
 #include "bench.h"
 
-enum { DIRECTIONS = 512 };
+enum { DIRECTIONS = 480 };
 
 typedef struct basis_input {
     int bands;
@@ -19,8 +19,8 @@ typedef struct basis_input {
 /* Where direction i of a chunk puts y, d/dtheta and d/dphi: the latter two share the space of grad. */
 #define ANGLE_OUTPUTS(n2) in->y + (n2) * i, in->grad + (n2) * i, in->grad + (n2) * (in->chunk + i)
 
-/* The baselines of basis_forms.c: as scalar code, and (auto) with the compiler's vectoriser let loose on the loops,
- * across directions too. */
+/* The baselines of basis_forms.c: as scalar code, and (auto) with the compiler's vectoriser let loose on the
+ * loops, across directions too. */
 #define BASIS_FORM(name) void FN(name)(const bench_case *self);
 BASIS_FORM(values_polynomial) BASIS_FORM(values_sloan) BASIS_FORM(values_sloan_auto)
 BASIS_FORM(angles_direct) BASIS_FORM(angles_sloan_like)

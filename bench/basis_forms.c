@@ -16,7 +16,7 @@
 #  define FORM(name) FN(name)
 #endif
 
-/* A scalar form over all directions: `body` handles direction d (index i of its chunk) with BANDS a constant. */
+/* A scalar form over all directions: `body` handles direction d, index i of its chunk, with BANDS constant. */
 #define PER_DIRECTION(name, body)                                                                        \
     void FORM(name)(const bench_case *self)                                                             \
     {                                                                                                    \
@@ -46,7 +46,8 @@ PER_DIRECTION(values_sloan, sloan_values(BANDS, in->dirs + 3 * d, in->y + N * i)
 
 /* ---- derivatives by the angles ---- */
 
-INLINE void angles_by(const int direct, const int bands, const real theta, const real phi, real *y, real *dt, real *dp)
+INLINE void angles_by(const int direct, const int bands, const real theta, const real phi, real *y, real *dt,
+                      real *dp)
 {
     const real st = REAL_SIN(theta), ct = REAL_COS(theta);
     const real dir[3] = { st * REAL_COS(phi), st * REAL_SIN(phi), ct };
@@ -62,7 +63,8 @@ PER_DIRECTION(angles_sloan_like, angles_by(0, BANDS, in->theta[d], in->phi[d], A
 /* ---- gradient by v ---- */
 
 /* M22's two routes: derivatives by the angles, each turned by Eq. 23 while it is in a register. */
-INLINE void gradient_by(const int direct, const int bands, const real v[3], real *RESTRICT y, real *RESTRICT grad)
+INLINE void gradient_by(const int direct, const int bands, const real v[3], real *RESTRICT y,
+                        real *RESTRICT grad)
 {
     const int n2 = bands * bands;
     const real rr = v[0] * v[0] + v[1] * v[1], ir = 1 / REAL_SQRT(rr + v[2] * v[2]), is = 1 / REAL_SQRT(rr);
@@ -82,10 +84,13 @@ INLINE void gradient_polynomial_of(const int bands, const real v[3], real *RESTR
 }
 
 #if !defined(BENCH_AUTO)
-PER_DIRECTION(gradient_polynomial, gradient_polynomial_of(BANDS, in->vectors + 3 * d, in->y + N * i, in->grad + 3 * N * i);)
-PER_DIRECTION(gradient_direct, gradient_by(1, BANDS, in->vectors + 3 * d, in->y + N * i, in->grad + 3 * N * i);)
+PER_DIRECTION(gradient_polynomial, gradient_polynomial_of(BANDS, in->vectors + 3 * d, in->y + N * i,
+                                                          in->grad + 3 * N * i);)
+PER_DIRECTION(gradient_direct, gradient_by(1, BANDS, in->vectors + 3 * d, in->y + N * i,
+                                           in->grad + 3 * N * i);)
 #endif
-PER_DIRECTION(gradient_sloan_like, gradient_by(0, BANDS, in->vectors + 3 * d, in->y + N * i, in->grad + 3 * N * i);)
+PER_DIRECTION(gradient_sloan_like, gradient_by(0, BANDS, in->vectors + 3 * d, in->y + N * i,
+                                               in->grad + 3 * N * i);)
 
 /* ---- Hessian ---- */
 
@@ -97,8 +102,8 @@ INLINE void hessian_polynomial_of(const int bands, const real v[3], real *y, rea
 }
 
 #if !defined(BENCH_AUTO)
-PER_DIRECTION(hessian_polynomial, hessian_polynomial_of(BANDS, in->vectors + 3 * d, in->y + N * i, in->grad + 3 * N * i,
-                                                        in->hess + 6 * N * i);)
+PER_DIRECTION(hessian_polynomial, hessian_polynomial_of(BANDS, in->vectors + 3 * d, in->y + N * i,
+                                                        in->grad + 3 * N * i, in->hess + 6 * N * i);)
 #endif
 
 /* ---- sum of c_k Y_k at each direction, and sum of w Y over all: basis, then a loop ---- */
@@ -127,7 +132,8 @@ INLINE void accumulate(const int n2, const real w, const real *RESTRICT y, real 
 PER_DIRECTION(reconstruct_polynomial, real y[N]; polynomial_values(BANDS, in->dirs + 3 * d, y);
               in->y[d] = dot(N, in->coeffs, y);)
 #endif
-PER_DIRECTION(reconstruct_sloan, real y[N]; sloan_values(BANDS, in->dirs + 3 * d, y); in->y[d] = dot(N, in->coeffs, y);)
+PER_DIRECTION(reconstruct_sloan, real y[N]; sloan_values(BANDS, in->dirs + 3 * d, y);
+              in->y[d] = dot(N, in->coeffs, y);)
 #if !defined(BENCH_AUTO)
 PER_DIRECTION(project_polynomial, real y[N]; if (!d) memset(in->y, 0, N * sizeof(real));
               polynomial_values(BANDS, in->dirs + 3 * d, y); accumulate(N, in->weights[d], y, in->y);)

@@ -67,7 +67,8 @@ void bench_open(const char *csv_path);
 void bench_close(void);
 const char *bench_isa(void);
 const char *bench_compiler(void);
-void bench_must_reach(void);
+/* Prints targets and measurements; writes them to path unless it is NULL. */
+void bench_must_reach(const char *path);
 /* Arithmetic per light of the moment form; see targets.c for how it is counted. */
 double bench_light_flops(int bands, int planes);
 

@@ -1,4 +1,4 @@
-/* harness.c - see bench.h. One suite at a time lives in file-scope state: this is a program, not a library. */
+/* harness.c - see bench.h. One suite at a time lives in file-scope state: a program, not a library. */
 #define _POSIX_C_SOURCE 200809L
 #include "bench.h"
 
@@ -9,8 +9,10 @@
 #include <string.h>
 #include <time.h>
 
-enum { MAX_CASES = 512, MAX_ROUNDS = 400, MIN_ROUNDS = 7, MAX_BLOCKS = 4096, MAX_RESULTS = 8192, MAX_BASES = 32,
-       MAX_COLUMNS = 16 };
+enum {
+    MAX_CASES = 512, MAX_ROUNDS = 400, MIN_ROUNDS = 7, MAX_BLOCKS = 4096, MAX_RESULTS = 8192, MAX_BASES = 32,
+    MAX_COLUMNS = 16
+};
 
 typedef struct timed_case {
     bench_case c;
@@ -159,7 +161,8 @@ static void poison(const bench_case *c)
     }
 }
 
-/* Compares case i with the first of its kernel, bands, column, group and shape; outputs may share memory, so that one is copied. */
+/* Compares case i with the first of its kernel, bands, column, group and shape. Outputs may share memory, so what
+ * is expected is copied. */
 static void check_case(int i)
 {
     const bench_case *c = &suite.cases[i].c, *r = c;
@@ -193,8 +196,10 @@ static void check_case(int i)
         }
         if (!(worst <= c->tolerance * largest)) {
             failures++;
-            fprintf(stderr, "bench: WRONG %s %s %s f%d bands %d: output %d item %zu number %zu differs from %s by %.3g, "
-                    "allowed %.3g\n", suite.name, c->kernel, c->impl, suite.precision, c->bands, o,
+            fprintf(stderr,
+                    "bench: WRONG %s %s %s f%d bands %d: output %d item %zu number %zu differs from %s by %.3g, "
+                    "allowed %.3g\n",
+                    suite.name, c->kernel, c->impl, suite.precision, c->bands, o,
                     at / c->out[o].numbers, at % c->out[o].numbers, r->impl, worst, c->tolerance * largest);
         } else if (bench_option.verbose) {
             printf("  %s %s %s f%d bands %d output %d: within %.2g of %s (allowed %.2g)\n", suite.name, c->kernel,
@@ -309,7 +314,8 @@ static void print_kernel(const char *kernel)
         printf("  %-18s", "  of the floor");
         for (k = 0; k < n; k++) {
             const timed_case *t = find(kernel, c->impl, columns[k]);
-            const double f = t ? t->c.flops * fma->min / t->min : 0, s = t ? t->c.bytes * store->min / t->min : 0;
+            const double f = t ? t->c.flops * fma->min / t->min : 0;
+            const double s = t ? t->c.bytes * store->min / t->min : 0;
             if (!t || (f <= 0 && s <= 0)) printf("%15s", "");
             else printf("%9.0f%% %-5s", 100 * (f > s ? f : s), f > s ? "fma" : "store");
         }
@@ -321,7 +327,8 @@ static void print_suite(int rounds)
 {
     const timed_case *dram = find("floor", "dram_store", 0);
     int i, j;
-    printf("\n==== %s f%d: minimum of %d interleaved rounds; %s\n", suite.name, suite.precision, rounds, suite.regime);
+    printf("\n==== %s f%d: minimum of %d interleaved rounds; %s\n", suite.name, suite.precision, rounds,
+           suite.regime);
     printf("floor: FMA %.1f GFLOP/s, L1 store %.1f GB/s", 1 / find("floor", "fma", 0)->min,
            1 / find("floor", "l1_store", 0)->min);
     if (dram) printf(", DRAM store %.1f GB/s", 1 / dram->min);
@@ -349,8 +356,8 @@ static void record(void)
         r->min = t->min;
         result_count++;
         if (csv)
-            fprintf(csv, "%s,%s,%s,f%d,%d,%zu,%s,%s,%.6g,%.6g\n", suite.name, t->c.kernel, t->c.impl, suite.precision,
-                    t->c.bands, t->c.items, bench_isa(), bench_compiler(), t->min, t->median);
+            fprintf(csv, "%s,%s,%s,f%d,%d,%zu,%s,%s,%.6g,%.6g\n", suite.name, t->c.kernel, t->c.impl,
+                    suite.precision, t->c.bands, t->c.items, bench_isa(), bench_compiler(), t->min, t->median);
     }
     if (csv) fflush(csv);
 }
@@ -373,8 +380,8 @@ double bench_minimum(const char *name, const char *kernel, const char *impl, int
     int i;
     for (i = 0; i < result_count; i++) {
         const result *r = &results[i];
-        if (r->precision == precision && r->bands == bands && !strcmp(r->suite, name) && !strcmp(r->kernel, kernel) &&
-            !strcmp(r->impl, impl))
+        if (r->precision == precision && r->bands == bands && !strcmp(r->suite, name) &&
+            !strcmp(r->kernel, kernel) && !strcmp(r->impl, impl))
             return r->min;
     }
     return 0;

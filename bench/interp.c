@@ -5,7 +5,7 @@
 
 #include "sh_interp.h"
 
-enum { SIDE = 8, CHANNELS = 3, POINTS = 256, LIGHTS = 24 };
+enum { SIDE = 8, NODES = SIDE * SIDE * SIDE, CHANNELS = 3, POINTS = 256, LIGHTS = 24 };
 
 typedef struct interp_input {
     int bands, scheme, planes;
@@ -31,8 +31,8 @@ static const struct {
 static void many(const bench_case *self)
 {
     const interp_input *in = self->input;
-    FN(sh_grid_interp_n)(in->bands, in->planes, CHANNELS, &in->grid, in->nodes, in->scheme, SH_CLAMP, POINTS, in->points,
-                         in->coeffs);
+    FN(sh_grid_interp_n)(in->bands, in->planes, CHANNELS, &in->grid, in->nodes, in->scheme, SH_CLAMP, POINTS,
+                         in->points, in->coeffs);
 }
 
 static void one_by_one(const bench_case *self)
@@ -40,8 +40,8 @@ static void one_by_one(const bench_case *self)
     const interp_input *in = self->input;
     size_t i;
     for (i = 0; i < POINTS; i++)
-        FN(sh_grid_interp)(in->bands, in->planes, CHANNELS, &in->grid, in->nodes, in->scheme, SH_CLAMP, in->points + 3 * i,
-                           in->coeffs + i * CHANNELS * in->n2);
+        FN(sh_grid_interp)(in->bands, in->planes, CHANNELS, &in->grid, in->nodes, in->scheme, SH_CLAMP,
+                           in->points + 3 * i, in->coeffs + i * CHANNELS * in->n2);
 }
 
 /* What `fused` saves: the coefficients written, read again, and multiplied with the transfer vector. */
@@ -70,7 +70,8 @@ static void fused(const bench_case *self)
                       in->transfers, in->values);
 }
 
-static void add(const interp_input *in, const char *kernel, const char *impl, void (*run)(const bench_case *), int dot)
+static void add(const interp_input *in, const char *kernel, const char *impl, void (*run)(const bench_case *),
+                int dot)
 {
     bench_case c;
     memset(&c, 0, sizeof c);
@@ -107,7 +108,10 @@ void FN(bench_interp)(void)
     spheres = bench_alloc(4 * LIGHTS, sizeof(real));
     radiance = random_numbers(CHANNELS * LIGHTS, 0.2, 1);
     for (i = 0; i < LIGHTS; i++) {
-        for (k = 0; k < 3; k++) spheres[k * LIGHTS + i] = C((bench_random() < 0.5 ? -1 : 1) * (2 + 2 * bench_random()));
+        for (k = 0; k < 3; k++) {
+            const double side = bench_random() < 0.5 ? -1 : 1;
+            spheres[k * LIGHTS + i] = C(side * (2 + 2 * bench_random()));
+        }
         spheres[3 * LIGHTS + i] = C(0.1 + 0.3 * bench_random());
     }
     points = random_numbers(3 * POINTS, -1, 1);
@@ -123,8 +127,9 @@ void FN(bench_interp)(void)
         }
         for (p = 0; p < 3; p++) {
             static const int planes[3] = { SH_VALUES, SH_GRADIENT, SH_HESSIAN };
-            real *out = nodes[planes[p]] = bench_alloc(SIDE * SIDE * SIDE * CHANNELS * (size_t)planes[p] * n2, sizeof(real));
-            FN(sh_spheres_grid)(bands, planes[p], CHANNELS, &grid, 0, SIDE * SIDE * SIDE, LIGHTS, spheres, radiance, out);
+            real *out = bench_alloc(NODES * CHANNELS * (size_t)planes[p] * n2, sizeof(real));
+            FN(sh_spheres_grid)(bands, planes[p], CHANNELS, &grid, 0, NODES, LIGHTS, spheres, radiance, out);
+            nodes[planes[p]] = out;
         }
         for (i = 0; i < sizeof schemes / sizeof schemes[0]; i++) {
             interp_input *in = bench_alloc(1, sizeof *in);

@@ -93,7 +93,8 @@ static void grid_library(const bench_case *self)
     for (first = 0; first < nodes; first += 16) {
         const int left = nodes - first;
         FN(sh_spheres_grid)(in->bands, in->planes, 1, &grid, (size_t)first, (size_t)(left < 16 ? left : 16),
-                            in->scene->count, in->scene->spheres, in->scene->radiance, in->out + (size_t)first * block);
+                            in->scene->count, in->scene->spheres, in->scene->radiance,
+                            in->out + (size_t)first * block);
     }
 }
 
@@ -120,8 +121,8 @@ static const char *kernel_name(int planes)
 }
 
 /* items: what ns are per; nodes: how many the output holds; column: the table's column, 0 for the bands */
-static bench_case make_case(const lights_input *in, const char *impl, void (*run)(const bench_case *), size_t items,
-                            int nodes, int column)
+static bench_case make_case(const lights_input *in, const char *impl, void (*run)(const bench_case *),
+                            size_t items, int nodes, int column)
 {
     const size_t n2 = (size_t)(in->bands * in->bands);
     bench_case c;
@@ -193,7 +194,8 @@ static int all_threads(void)
 #endif
 }
 
-static void add_grid(const lights_scene *scene, int bands, int planes, int side, size_t items, int column, int baseline)
+static void add_grid(const lights_scene *scene, int bands, int planes, int side, size_t items, int column,
+                     int baseline)
 {
     lights_input *in = make_input(scene, bands, planes, side), *parallel = bench_alloc(1, sizeof *parallel);
     const int nodes = side * side * side;

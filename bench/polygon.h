@@ -17,7 +17,7 @@ typedef struct polygon_input {
     real *out;                  /* [points][planes][n^2] */
 } polygon_input;
 
-/* polygon_forms.c, scalar; bands 3 5 7 9 12 15 */
+/* polygon_forms.c, scalar; bands 3 5 9 15 */
 void FN(polygon_monomial)(const bench_case *self);
 void FN(polygon_wang_ramamoorthi)(const bench_case *self);
 

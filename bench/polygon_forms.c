@@ -1,6 +1,6 @@
-/* polygon_forms.c - polygon lights by zonal integrals about 2n-1 lobes: WR18's recurrence on Legendre polynomials, and
- * the recurrence on monomials of Snyder 1996 that it replaced (WR18 section 4.1 and Table 2). The baselines of suite
- * `polygon`, for convex polygons that run positively about the point, as everywhere in WR18.
+/* polygon_forms.c - polygon lights by zonal integrals about 2n-1 lobes: WR18's recurrence on Legendre polynomials,
+ * and the recurrence on monomials of Snyder 1996 that it replaced (WR18 section 4.1 and Table 2). The baselines of
+ * suite `polygon`, for convex polygons that run positively about the point, as everywhere in WR18.
  *
  * WR18 Algorithm 1 with its slips mended: 1/l on B_{l-2}, S_0 from interior angles, B_1 accumulated. Its gradient is
  * boundary transport: d S_l/dx = sum over edges of mu_e times the integral of P_l(z)/|p| along the edge. */
@@ -70,8 +70,8 @@ static const real inverse[POLYGON_MAX_BANDS + 2] = {
 /* S_l about one lobe, l < bands, and (gradient) the three planes of its gradient: sum[1 or 4][bands]. Eq. 29-32.
  * Degrees outside, edges inside, as Algorithm 1 has them: edges do not wait for each other. A vertex belongs to two
  * edges, so P_l(omega.w) is computed once for both. */
-INLINE void legendre_lobe(const int bands, const int gradient, const int sides, const edge *edges, const real omega[3],
-                          const real s0, real *RESTRICT sum)
+INLINE void legendre_lobe(const int bands, const int gradient, const int sides, const edge *edges,
+                          const real omega[3], const real s0, real *RESTRICT sum)
 {
     enum { M = POLYGON_MAX_SIDES };
     real a[M], c[M], up[M], b[M], sag[M], ab[M], b1[M], b2[M], d1[M], d2[M], h1[M], h2[M], g1[M];
@@ -127,8 +127,8 @@ INLINE void legendre_lobe(const int bands, const int gradient, const int sides, 
 }
 
 /* The same by integrals of z^k, then O(n) of them combined for each P_l. */
-INLINE void monomial_lobe(const int bands, const int gradient, const int sides, const edge *edges, const real omega[3],
-                          const real s0, const real *legendre, real *RESTRICT sum)
+INLINE void monomial_lobe(const int bands, const int gradient, const int sides, const edge *edges,
+                          const real omega[3], const real s0, const real *legendre, real *RESTRICT sum)
 {
     enum { M = POLYGON_MAX_SIDES };
     real a[M], c[M], d0[M], d1[M], aabb[M], ab[M], i1[M], i2[M], zk[M], t[4][POLYGON_MAX_BANDS], total1 = 0;
@@ -215,14 +215,13 @@ INLINE void polygon_light(const int monomial, const int bands, const int gradien
     for (i = 0; i < in->points; i++) {                                                                     \
         const real *at = in->point + 3 * i;                                                                \
         real *out = in->out + i * (gradient ? 4 : 1) * BANDS * BANDS;                                      \
-        if (in->sides == 3 && !monomial) polygon_light(monomial, BANDS, gradient, 3, in, at, out); \
+        if (in->sides == 3) polygon_light(monomial, BANDS, gradient, 3, in, at, out);              \
         else polygon_light(monomial, BANDS, gradient, in->sides, in, at, out);                             \
     }
 #define ALL_BANDS(monomial, gradient)                                                                      \
     switch (in->bands) {                                                                                   \
     BANDS_CASE(3, POINT_LOOP(monomial, gradient)) BANDS_CASE(5, POINT_LOOP(monomial, gradient))            \
-    BANDS_CASE(7, POINT_LOOP(monomial, gradient)) BANDS_CASE(9, POINT_LOOP(monomial, gradient))            \
-    BANDS_CASE(12, POINT_LOOP(monomial, gradient)) BANDS_CASE(15, POINT_LOOP(monomial, gradient))          \
+    BANDS_CASE(9, POINT_LOOP(monomial, gradient)) BANDS_CASE(15, POINT_LOOP(monomial, gradient))           \
     default: break;                                                                                        \
     }
 

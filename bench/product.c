@@ -86,17 +86,18 @@ static void put(gaunt_table *g, int *at, int i, int j, double c)
 static void make_tables(product_input *in)
 {
     static double y[MAX_N2][NODES], yy[NODES];
+    const double step = 6.283185307179586 / PHI_NODES;
     double z[Z_NODES], w[Z_NODES], column[256];
     const int n2 = (int)in->n2;
     int i, j, k, q, general = 0, zonal = 0, zonal3 = 0;
     gauss_legendre(z, w);
     for (q = 0; q < NODES; q++) {
-        const double r = sqrt(1 - z[q / PHI_NODES] * z[q / PHI_NODES]), p = 6.283185307179586 * (q % PHI_NODES) / PHI_NODES;
-        const double dir[3] = { r * cos(p), r * sin(p), z[q / PHI_NODES] };
+        const double zq = z[q / PHI_NODES], r = sqrt(1 - zq * zq), p = step * (q % PHI_NODES);
+        const double dir[3] = { r * cos(p), r * sin(p), zq };
         sh_eval_f64(in->bands, dir, column);
         for (i = 0; i < n2; i++) y[i][q] = column[i];
     }
-    start_table(&in->general, in->n2, 12200);           /* 9 bands: 23621 terms, a little more than half of them kept */
+    start_table(&in->general, in->n2, 12200);           /* 9 bands: 23621 terms, the symmetric ones once */
     start_table(&in->zonal, in->n2, 24000);
     start_table(&in->zonal3, in->n2, 24000);
     for (k = 0; k < n2; k++) {
@@ -104,7 +105,7 @@ static void make_tables(product_input *in)
         in->zonal.start[k] = zonal;
         in->zonal3.start[k] = zonal3;
         for (i = 0; i < n2; i++) {
-            for (q = 0; q < NODES; q++) yy[q] = y[i][q] * y[k][q] * w[q / PHI_NODES] * (6.283185307179586 / PHI_NODES);
+            for (q = 0; q < NODES; q++) yy[q] = y[i][q] * y[k][q] * w[q / PHI_NODES] * step;
             for (j = 0; j < n2; j++) {
                 const int l = j < 1 ? 0 : j < 4 ? 1 : j < 9 ? 2 : (int)sqrt(j + 0.5);
                 const double f = (double)in->cosine[l] * sqrt(12.566370614359172 / (2 * l + 1));

@@ -1,7 +1,9 @@
 /* product_forms.c - the clamped-cosine product as MP21 starts from: sums over the non-zero Gaunt coefficients. The
- * baselines of suite `product`. MP21 generates code for each term; at 9 bands that is a third of a megabyte, so a table
- * that stays in L2 is the faster form on a CPU. */
+ * baselines of suite `product`. MP21 generates code for each term; at 9 bands that is a third of a megabyte, so a
+ * table that stays in L2 is the form for a CPU. */
 #include "product.h"
+
+#include <math.h>
 
 #include "sloan.h"
 
@@ -30,7 +32,10 @@ static void general_product(const gaunt_table *g, size_t n2, const real *a, cons
             s0 += g->c[t] * (a[i] * b[j] + a[j] * b[i]);
             s1 += g->c[t + 1] * (a[p] * b[q] + a[q] * b[p]);
         }
-        if (t < end) s0 += g->c[t] * (a[g->pair[t][0]] * b[g->pair[t][1]] + a[g->pair[t][1]] * b[g->pair[t][0]]);
+        if (t < end) {
+            const int i = g->pair[t][0], j = g->pair[t][1];
+            s0 += g->c[t] * (a[i] * b[j] + a[j] * b[i]);
+        }
         out[k] = s0 + s1;
     }
 }

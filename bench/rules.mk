@@ -8,6 +8,8 @@ BENCH_AUTO    := basis_forms lights_forms
 BENCH_OBJECTS := $(addprefix $(BENCH_DIR)/,harness.o main.o targets.o floor.o \
                    $(foreach p,f32 f64,$(BENCH_SUITES:%=%_$(p).o) \
                      $(BENCH_FORMS:%=%_$(p).o) $(BENCH_AUTO:%=%_auto_$(p).o)))
+BENCH_QUICK   := $(addprefix $(BENCH_DIR)/,harness.o quick.o targets.o floor.o $(patsubst %,%_f32.o, \
+                   $(filter-out stream,$(BENCH_SUITES)) $(BENCH_FORMS) $(BENCH_AUTO:%=%_auto)))
 # Optional parts, looked for when the bench is built: GSL and Boost as further impls, OpenMP for all threads.
 BENCH_GSL     = $(shell pkg-config --exists gsl 2>/dev/null && echo -DBENCH_GSL)
 BENCH_BOOST   = $(shell echo '\#include <boost/math/special_functions/spherical_harmonic.hpp>' | \
@@ -41,8 +43,13 @@ $(BENCH_DIR)/%_forms_auto_f64.o: bench/%_forms.c $(BENCH_OWN) | $(BENCH_DIR)
 $(BENCH_DIR)/boost.o: bench/boost.cpp | $(BENCH_DIR)
 	$(CXX) -O3 -c -o $@ $<
 
+$(BENCH_DIR)/quick.o: bench/main.c bench/bench.h | $(BENCH_DIR)
+	$(BENCH_COMPILE) -DBENCH_FLAGS='"$(CFLAGS)"' -DBENCH_QUICK -c -o $@ $<
+
 # Boost's object is part of the link only where its header is found.
 $(BENCH_DIR)/bench: $(BENCH_OBJECTS)
+$(BENCH_DIR)/bench-quick: $(BENCH_QUICK)
+$(BENCH_DIR)/bench $(BENCH_DIR)/bench-quick:
 	$(if $(BENCH_BOOST),$(MAKE) --no-print-directory $(BENCH_DIR)/boost.o)
 	$(CC) $(CFLAGS) $(BENCH_OPENMP) -o $@ $^ $(if $(BENCH_BOOST),$(BENCH_DIR)/boost.o -lstdc++) \
 	    $(if $(BENCH_GSL),$(shell pkg-config --libs gsl 2>/dev/null)) -lm
@@ -54,9 +61,9 @@ bench: $(BENCH_DIR)/bench
 	$(BENCH_DIR)/bench --csv $(BENCH_CSV)
 	sh bench/plot.sh $(BENCH_CSV) $(BUILD)
 
-# Within a minute: f32, ends with the targets and what was measured. Informative, never a failure.
-bench-quick: $(BENCH_DIR)/bench
-	$(BENCH_DIR)/bench --quick --csv $(BENCH_CSV:.csv=-quick.csv)
+# Within a minute once built: f32, ends with the targets and what was measured. Informative, never a failure.
+bench-quick: $(BENCH_DIR)/bench-quick
+	$(BENCH_DIR)/bench-quick --csv $(BENCH_CSV:.csv=-quick.csv)
 
 # Every baseline against the library, nothing timed.
 bench-check: $(BENCH_DIR)/bench

@@ -24,7 +24,8 @@ typedef struct stream_input {
         body                                            \
     }
 
-STREAM(values_sloan, size_t i; for (i = 0; i < in->count; i++) sloan_values(BANDS, in->dirs + 3 * i, in->y + N2 * i);)
+STREAM(values_sloan, size_t i;
+       for (i = 0; i < in->count; i++) sloan_values(BANDS, in->dirs + 3 * i, in->y + N2 * i);)
 STREAM(values_n, FN(sh_eval_n)(BANDS, in->count, in->dirs, in->y);)
 STREAM(values_blocks, FN(sh_eval_blocks)(BANDS, in->count / 8, in->blocks, in->y);)
 STREAM(gradient_n, FN(sh_eval_grad_n)(BANDS, in->count, in->dirs, in->y, in->grad);)
