@@ -30,12 +30,13 @@ static const char help[] =
     "  --no-occlusion  without the ambient occlusion in screen space\n"
     "  --time T        seconds into the lights' and the teapot's motion [0]\n"
     "  --out FILE      the picture [build/gl-demo.png]\n"
+    "  --error         the window starts with the error's heat map\n"
     "  --frames N      leave the window after N frames and write the last one to FILE\n"
     "  --quick         coarse geometry\n"
     "  --help\n"
     "Exit code 0; 1 if the grid is off by more than the bound; 2 for a bad command line; 77 without OpenGL 4.5.\n";
 
-typedef struct { settings o; int lights, window, frames, quick; const char *out; double time; } options;
+typedef struct { settings o; int lights, window, frames, quick, error; const char *out; double time; } options;
 
 static const char *const forms[] = { "forward", "reverse", "moments", NULL };
 static const char *const kinds[] = { "spheres", "triangles", "polygons", NULL };
@@ -80,6 +81,7 @@ static options parse(int argc, char **argv)
         const char *name = argv[i], *v = i + 1 < argc ? argv[i + 1] : NULL;
         if (!strcmp(name, "--help")) { fputs(help, stdout); exit(0); }
         if (!strcmp(name, "--window")) { a.window = 1; continue; }
+        if (!strcmp(name, "--error")) { a.error = 1; continue; }
         if (!strcmp(name, "--quick")) { a.quick = 1; continue; }
         if (!strcmp(name, "--no-occlusion")) { o->occlusion = 0; continue; }
         for (k = 0; valued[k] && strcmp(valued[k], name); k++) {}
@@ -153,12 +155,7 @@ static void paste_small(unsigned char *page, int width, int left, int top, const
             }
 }
 
-static void label(const settings *o, float zoom, const char *text)
-{
-    static const float shade[4] = { 0, 0, 0, 0.8f }, ink[4] = { 1, 1, 1, 1 };
-    passes_text(o, 8 * zoom + 1, 6 * zoom + 1, 2 * zoom, shade, text);
-    passes_text(o, 8 * zoom, 6 * zoom, 2 * zoom, ink, text);
-}
+static void label(const settings *o, float zoom, const char *text) { passes_text(o, 12 * zoom, 12 * zoom, zoom, text); }
 
 typedef struct { double mean, largest; } difference;
 
@@ -231,7 +228,7 @@ static int headless(const options *a, const stage *s, light *now)
         d = against_reference(o, exposure);
         printf("%-34s %8.2f   %9.3f   %7.4f   %.1fx\n", scheme_titles[i], ms, 1e3 * d.mean, d.largest, pixel_ms / (grid_ms + ms));
         sprintf(text, "%s: %d x error, MAE %.2f / 1000", scheme_names[i], ERROR_SCALE, 1e3 * d.mean);
-        label(&o, 2, text);
+        label(&o, 3, text);
         part = passes_picture(&o);
         paste_small(page, o.width, i * (o.width / 3), o.height, part, o.height);
         free(part);
@@ -331,7 +328,7 @@ static int interactive(options *a, stage *s, GLFWwindow *w)
     double ms[PASSES] = { 0 }, reference_ms = 0, clock = a->time, last = glfwGetTime(), fps = 0;
     int frames = 0;
 
-    state.a = a; state.s = s; state.shown = 1; state.moving = a->frames == 0;
+    state.a = a; state.s = s; state.shown = 1; state.heat = a->error; state.moving = a->frames == 0;
     state.distance = sqrt((double)dot(from, from));
     state.yaw = atan2((double)from.x, -(double)from.y);
     state.pitch = asin((double)from.z / state.distance);
@@ -360,7 +357,7 @@ static int interactive(options *a, stage *s, GLFWwindow *w)
             state.changed = 0;
         }
         if (state.moving) clock += seconds - last;
-        fps = 0.9 * fps + 0.1 / fmax(seconds - last, 1e-6);
+        fps = frames < 2 ? 0 : frames == 2 ? 1 / fmax(seconds - last, 1e-6) : 0.9 * fps + 0.1 / fmax(seconds - last, 1e-6);
         last = seconds;
         o->turn = (float)(0.3 * clock);
         stage_move(s, o->kind != SPHERE_LIGHTS, clock, now);
@@ -391,7 +388,7 @@ static int interactive(options *a, stage *s, GLFWwindow *w)
                             ms[GRID], ms[SURFACES], ms[OCCLUSION], ms[SHADING], ms[PICTURE]);
             if (state.heat) n += sprintf(text + n, "\nerror against per pixel (%.2f ms), 20 x", reference_ms);
             sprintf(text + n, "\n\n%s", keys);
-            label(&t, 1, text);
+            label(&t, t.width < 1200 ? 1 : 2, text);
         }
         passes_show(&t, width, height);
         glfwSwapBuffers(w);

@@ -66,7 +66,7 @@ float *passes_nodes(const settings *o);                     /* [node][coefficien
 float *passes_image(const settings *o, int which);          /* SURFACES: places; GRID: normals; SHADING: radiance */
 unsigned char *passes_picture(const settings *o);           /* [height][width][3] from the top, free it */
 void   passes_show(const settings *o, int width, int height);           /* on the window */
-void   passes_text(const settings *o, float x, float y, float zoom, const float ink[4], const char *text);
+void   passes_text(const settings *o, float x, float y, float zoom, const char *text);
 
 /* check.c ---- largest difference of the GPU's grid from the C headers in double precision, over nodes, bands, channels
  * and axes, in units of FLT_EPSILON times the node's largest value (gradient) in the band. */

@@ -429,7 +429,7 @@ float *passes_image(const settings *o, int which)
     return image(from, which == PICTURE ? o->width : o->width * o->samples, which == PICTURE ? o->height : o->height * o->samples);
 }
 
-/* The exposure that brings the geometric mean of the surfaces' luminance to a middle grey, as in the relight example. */
+/* The exposure that brings the geometric mean of the surfaces' luminance to a darker middle grey. */
 float passes_exposure(const settings *o)
 {
     float *rgba = passes_image(o, SHADING);
@@ -444,7 +444,7 @@ float passes_exposure(const settings *o)
         count++;
     }
     free(rgba);
-    return count > 0 ? 0.16f / expf((float)(sum / count)) : 1;
+    return count > 0 ? 0.12f / expf((float)(sum / count)) : 1;
 }
 
 unsigned char *passes_picture(const settings *o)
@@ -468,11 +468,20 @@ void passes_show(const settings *o, int width, int height)
     glBlitNamedFramebuffer(canvas[SHOWN], 0, 0, 0, o->width, o->height, 0, 0, width, height, GL_COLOR_BUFFER_BIT, GL_NEAREST);
 }
 
-void passes_text(const settings *o, float x, float y, float zoom, const float ink[4], const char *text)
+static void letters_or_panel(const float *corner, int corners)
+{
+    glBufferData(GL_ARRAY_BUFFER, (GLsizeiptr)(2 * (size_t)corners * sizeof(float)), corner, GL_STREAM_DRAW);
+    glDrawArrays(GL_TRIANGLES, 0, corners);
+}
+
+void passes_text(const settings *o, float x, float y, float zoom, const char *text)
 {
     static struct { float x, y, z; unsigned char colour[4]; } quad[4096][4];
     static float corner[4096 * 12];
-    const int quads = stb_easy_font_print(0, 0, (char *)(size_t)text, NULL, quad, sizeof quad);
+    char *const t = (char *)(size_t)text;
+    const float r = (float)stb_easy_font_width(t) + 4, b = (float)stb_easy_font_height(t) + 2;
+    const float panel[12] = { -4, -4, r, -4, r, b, -4, -4, r, b, -4, b };
+    const int quads = stb_easy_font_print(0, 0, t, NULL, quad, sizeof quad);
     const GLuint p = use(FILES(text_vert), FILES(text_frag), "\n");
     int i, k;
 
@@ -489,11 +498,12 @@ void passes_text(const settings *o, float x, float y, float zoom, const float in
     glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
     glBindVertexArray(letter_array);
     glBindBuffer(GL_ARRAY_BUFFER, letters);
-    glBufferData(GL_ARRAY_BUFFER, (GLsizeiptr)(12 * (size_t)quads * sizeof(float)), corner, GL_STREAM_DRAW);
     set2(p, "size", (float)o->width, (float)o->height);
     set2(p, "at", x, y);
     glUniform1f(at(p, "zoom"), zoom);
-    glUniform4fv(at(p, "ink"), 1, ink);
-    glDrawArrays(GL_TRIANGLES, 0, 6 * quads);
+    glUniform4f(at(p, "ink"), 0.02f, 0.02f, 0.03f, 0.6f);
+    letters_or_panel(panel, 6);
+    glUniform4f(at(p, "ink"), 1, 1, 1, 1);
+    letters_or_panel(corner, 6 * quads);
     glDisable(GL_BLEND);
 }

@@ -91,25 +91,26 @@ static void take_for_a_sphere(light *l)
     l->sphere[3] = (float)sqrt(area2 / 6.283185307179586);
 }
 
-/* Every light swings a little about its place. As a triangle it keeps its area and centre and faces the teapot. */
+/* A wave runs through the lights. As a triangle it keeps its area and centre and faces the teapot. */
 void stage_move(const stage *s, int triangles, double time, light *now)
 {
     int i, k;
 
     for (i = 0; i < s->count; i++) {
-        const float phase = 0.7f * (float)i, t = (float)time, swing = time > 0 ? 0.12f : 0;
+        const vec3 from = get(s->lights[i].sphere);
+        const float wave = 0.9f * from.x + 0.7f * from.z, t = (float)time, swing = time > 0 ? 0.16f : 0;
         light *l = &now[i];
         vec3 at, n, x, y;
 
         *l = s->lights[i];
-        at = add(get(l->sphere), mul(vec(sinf(1.3f * t + phase), sinf(1.7f * t + 2 * phase), sinf(2.1f * t + 3 * phase)), swing));
+        at = add(from, mul(vec(0.4f * sinf(1.1f * t + wave), sinf(1.7f * t + wave), sinf(1.3f * t + 0.8f * wave)), swing));
         put(l->sphere, at);
         if (!triangles) continue;
         n = unit(sub(vec(0, 0, 0.8f), at));
         x = unit(fabsf(n.z) < 0.9f ? cross(n, vec(0, 0, 1)) : cross(n, vec(1, 0, 0)));
         y = cross(n, x);
         for (k = 0; k < 3; k++) {                           /* area (3 sqrt(3)/4) R^2 = pi r^2 */
-            const float a = phase + 2.0943951f * (float)k, r = l->sphere[3] * 1.5551203f;
+            const float a = 0.7f * (float)i + 2.0943951f * (float)k, r = l->sphere[3] * 1.5551203f;
             put(l->corner[k], add(at, add(mul(x, r * cosf(a)), mul(y, r * sinf(a)))));
         }
         take_for_a_sphere(l);
