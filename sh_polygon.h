@@ -3732,10 +3732,10 @@ SHI_INLINE void SHI_FN(shi_fan_normal)(const SHI_T *a, const SHI_T *b, const SHI
 /* Rules for small triangles, in barycentric coordinates of the second and third vertex, weights summing to 1/2: 1 point, 3
  * points (degree 2), 7 points (degree 5), then k x k Gauss points (degree 2k-2). `limit`: bands times angular diameter up
  * to which a rule keeps the bound. */
-#define SHI_RULES (SHI_BITS == 32 ? 6 : 11)
+#define SHI_RULES (SHI_BITS == 32 ? 4 : 11)
 typedef struct {
     int start[12];
-    SHI_T node[3 * (SHI_BITS == 32 ? 88 : 503)];
+    SHI_T node[3 * (SHI_BITS == 32 ? 27 : 503)];
 } SHI_FN(shi_rules);
 
 SHI_NOINLINE void SHI_FN(shi_make_rules)(SHI_FN(shi_rules) *r)
@@ -4000,14 +4000,14 @@ SHI_INLINE void SHI_KN(shi_polygon_block)(int n, int planes, int sides, const SH
                                           const SHI_T *v, SHI_T radiance, SHI_V *totals, SHI_V *omega, SHI_M *hard, SHI_V *work)
 {
     static const double limits[2][11] = {
-        { 4e-4, 0.02, 0.7, 1.4, 2.0, 2.6 },
+        { 4e-4, 0.02, 0.7, 1.4 },
         { 1e-8, 1e-5, 4e-3, 0.02, 0.06, 0.15, 0.3, 0.55, 0.9, 1.3, 1.8 } };
     const SHI_V zero = SHI_SPLAT(0), one = SHI_SPLAT(1);
     const SHI_T biggest = SHI_BITS == 32 ? SHI_C(1e8) : SHI_C(1e75), smallest = SHI_C(1) / biggest;
     SHI_T end_on, at_vertex;                                /* |A x E|, |A| that count as 0 */
     const int gradient = planes >= SH_GRADIENT, slope = n * (n + 1), flux = n * (n - 1);
     SHI_V *const s = work, *const t = work + (n + 1) * (n + 2);
-    SHI_V x[3], least = one, a0[3], d2, dist, volume = zero, sum = zero, turn = zero, sign, factor, small_factor, wide_factor, size;
+    SHI_V x[3], least = one, fan_c = one, fan_s = zero, turn_c = one, turn_s = zero, a0[3], d2, dist, volume = zero, sum = zero, sign, factor, small_factor, wide_factor, size;
     SHI_V node[SHI_KN(shi_nodes_at_once) * 5];
     SHI_M small, bad;
     SHI_T center[3] = { 0, 0, 0 }, radius = 0;
@@ -4068,13 +4068,27 @@ SHI_INLINE void SHI_KN(shi_polygon_block)(int n, int planes, int sides, const SH
             } else if (i > 1) {
                 const SHI_V cosbc = b[0] * c[0] + b[1] * c[1] + b[2] * c[2];
                 const SHI_V even = ((one + cos0b) + cosbc) + cos0c;
-                const SHI_V solid = SHI_C(2) * SHI_KN(shi_polygon_angle)(((SHI_ABS(det) * i0) * ib) * ic, even);
+                const SHI_V odd = ((det * i0) * ib) * ic;
                 least = SHI_SELECT(even < least, even, least);
-                sum += SHI_SELECT(det < zero, -solid, solid);
+                if (i == 2) {
+                    fan_c = even;
+                    fan_s = odd;
+                } else if (count == 4) {                    /* two halves of less than pi: their product's argument */
+                    const SHI_V real = fan_c * even - fan_s * odd;
+                    fan_s = fan_c * odd + fan_s * even;
+                    fan_c = real;
+                } else {
+                    const SHI_V solid = SHI_C(2) * SHI_KN(shi_polygon_angle)(SHI_ABS(odd), even);
+                    sum += SHI_SELECT(odd < zero, -solid, solid);
+                }
             }
             for (k = 0; k < 3; k++) b[k] = c[k];
             ib = ic;
             cos0b = cos0c;
+        }
+        if (wide) {
+            const SHI_V solid = SHI_C(2) * SHI_KN(shi_polygon_angle)(SHI_ABS(fan_s), fan_c);
+            sum += SHI_SELECT(fan_s < zero, -solid, solid);
         }
         for (i = 0; wide && i < count; i++) {               /* on an edge: seen end on, between its ends */
             const SHI_T *from = v + 3 * i, *to = i + 1 < count ? v + 3 * i + 3 : v;
@@ -4189,9 +4203,10 @@ SHI_INLINE void SHI_KN(shi_polygon_block)(int n, int planes, int sides, const SH
                 const SHI_V c0 = before[1] * mu[2] - before[2] * mu[1], c1 = before[2] * mu[0] - before[0] * mu[2],
                             c2 = before[0] * mu[1] - before[1] * mu[0];
                 const SHI_V y = w[0] * c0 + w[1] * c1 + w[2] * c2, z = before[0] * mu[0] + before[1] * mu[1] + before[2] * mu[2];
-                const SHI_V angle = SHI_KN(shi_polygon_angle)(SHI_ABS(y), z);
                 const SHI_M any = (SHI_M)(have > zero), start = seen & SHI_NOT(any);
-                turn += SHI_SELECT(seen & any, SHI_SELECT(y < zero, -angle, angle), zero);
+                const SHI_V tc = turn_c * z - turn_s * y, ts = turn_s * z + turn_c * y;
+                turn_c = SHI_SELECT(seen & any, tc, turn_c);        /* angles add up in the argument, modulo 2 pi */
+                turn_s = SHI_SELECT(seen & any, ts, turn_s);
                 for (k = 0; k < 3; k++) {
                     before[k] = SHI_SELECT(seen, mu[k], before[k]);
                     first[k] = SHI_SELECT(start, mu[k], first[k]);
@@ -4249,10 +4264,9 @@ SHI_INLINE void SHI_KN(shi_polygon_block)(int n, int planes, int sides, const SH
             const SHI_V c0 = before[1] * first[2] - before[2] * first[1], c1 = before[2] * first[0] - before[0] * first[2],
                         c2 = before[0] * first[1] - before[1] * first[0];
             const SHI_V y = corner[0] * c0 + corner[1] * c1 + corner[2] * c2, z = before[0] * first[0] + before[1] * first[1] + before[2] * first[2];
-            const SHI_V angle = SHI_KN(shi_polygon_angle)(SHI_ABS(y), z);
-            SHI_V exact;
-            turn += SHI_SELECT(y < zero, -angle, angle);
-            exact = -turn;
+            const SHI_V tc = turn_c * z - turn_s * y, ts = turn_s * z + turn_c * y;
+            const SHI_V angle = SHI_KN(shi_polygon_angle)(SHI_ABS(ts), tc);
+            SHI_V exact = SHI_SELECT(ts < zero, angle, -angle);
             for (i = 0; i <= count / 2 + 1; i++) {
                 exact += SHI_SELECT(exact < sum - half, whole + zero, zero);
                 exact -= SHI_SELECT(exact > sum + half, whole + zero, zero);

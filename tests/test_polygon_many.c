@@ -198,7 +198,7 @@ static void F(sums)(void **state)
         if (!IS_F32) grazing = 1 + 1 / (long double)graze / 8;
         row_case("kind %d, %d bands, size/distance %.1e, sine %.1e", kind, n, ratio, graze);
         {
-            const long double large = size * (n + 1) < (IS_F32 ? 2.5L : 1.7L) ? 0 : 1;
+            const long double large = size * (n + 1) < (IS_F32 ? 1.3L : 1.7L) ? 0 : 1;
             const long double slope = sqrtl((long double)(g[0] * g[0] + g[n * n] * g[n * n] + g[2 * n * n] * g[2 * n * n])) * sqrtl(4 * REF_PI);
             for (k = 0; k < n * n; k++) {
                 const int l = ref_band(k);
