@@ -2,29 +2,31 @@
  *
  * USE         #include "sh_product.h"     beside sh_gradient.h; nothing else, no implementation macro.
  *
- * CONVENTION  as sh_gradient.h: orthonormal, polar z, index l(l+1)+m, Y_1 = 0.4886 (-y, +z, -x). Other systems' sets:
- *             sh_convert_to / sh_convert_from, docs/conventions.md.
+ * CONVENTION  as sh_gradient.h: orthonormal, polar z, index l(l+1)+m, Y_1 = 0.4886 (-y, +z, -x).
+ *             Other systems' sets: sh_convert_to / sh_convert_from, docs/conventions.md.
  *
- * FUNCTIONS   each with suffix _f32 or _f64; bands 1..16 unless said otherwise; all return a status (0 is fine)
+ * FUNCTIONS   each with suffix _f32 or _f64; bands 1..16 unless said otherwise; all return a status
  *   rotation   sh_rotation_matrix, _quaternion, _inverse   set-up, once per rotation
  *              sh_rotate, sh_rotate_blocks                 any number of coefficient vectors
  *              sh_mirror, sh_permute_axes                  the 48 symmetries of the axes, improper ones too
- *   products   sh_triple_product, _n, _of                  f times g
+ *   products   sh_triple_product, _n, _bands               f times g
  *              sh_cosine_product, _n, _blocks              f times the clamped cosine about a normal
  *              sh_cosine_product_local, _n, _blocks        the same, normal +z
- *              sh_cosine_product_zonal                     the same with a cosine cut to a few bands (MP21 Eq. 10)
+ *              sh_cosine_product_zonal                     the same, cosine cut to a few bands (MP21 Eq. 10)
  *              sh_diffuse_from_product                     irradiance of any product, one multiplication
- *   shading    sh_diffuse, sh_diffuse_n                    irradiance at normals;  sh_convolve  with any zonal lobe
+ *   shading    sh_diffuse, sh_diffuse_n                    irradiance at normals; any zonal lobe: sh_convolve
  *              sh_zonal_cosine, _phong, _ggx               zonal coefficients of lobes
  *   ringing    sh_scale_bands, sh_window, sh_minimum, sh_dering
- *   exchange   sh_convention, sh_convention_name, _coefficients; sh_convert_to, _from, _direction_to, _direction_from
+ *   exchange   sh_convention, sh_convention_name, _size; sh_convert_to, _from, _direction_to, _direction_from
  *
- * DOES NOT    allocate, keep state, read errno, print. Arrays need no alignment. In and out may be the same array, or must not
- *             overlap (SH_ERROR_OVERLAP). NaN and Inf in coefficients go through; in geometry they are an error.
- *             Stack, f64 (f32: half): triple product 50 KB, sh_minimum and sh_dering 85 KB, the others 18 KB at most.
+ * DOES NOT    allocate, keep state, read errno, print. Arrays need no alignment. In and out may be the same
+ *             array, or must not overlap (SH_ERROR_OVERLAP). NaN and Inf in coefficients go through; in
+ *             geometry they are an error. Stack, f64 (f32: half): triple product 50 KB, sh_minimum and
+ *             sh_dering 85 KB, the others 18 KB at most.
  *
  * ERROR       c = the input vector, |.| its 2-norm, worst over the output: rotation and cosine products
- *             16 eps |c| to 6 bands, 40 eps |c| to 16; triple product the same with |a| |b|. `make test` prints what is seen.
+ *             16 eps |c| to 6 bands, 40 eps |c| to 16; triple product the same with |a| |b|. Worst seen is
+ *             1.8 eps |c| (docs/products.md); `make test` prints it.
  *
  * SOURCES     MP21  Mezieres, Paulin, Efficient spherical harmonic shading for separable BRDF (2021)
  *             KSS02 Kautz, Sloan, Snyder, Fast, arbitrary BRDF shading (2002): rotation as zxzxz
@@ -38,7 +40,10 @@
 #ifndef SH_PRODUCT_H
 #define SH_PRODUCT_H
 
-#include "sh_gradient.h"
+#ifndef SH_GRADIENT_FILENAME
+#  define SH_GRADIENT_FILENAME "sh_gradient.h"
+#endif
+#include SH_GRADIENT_FILENAME
 
 #ifndef SH_PRODUCT_FILENAME
 #  define SH_PRODUCT_FILENAME "sh_product.h"
@@ -47,7 +52,7 @@
 enum { SH_PRODUCT_BANDS = 16 };         /* most bands of rotations and products */
 enum { SH_HANN = 1, SH_LANCZOS = 2, SH_GAUSS = 3 };
 
-/* Offsets of band l in the table of swaps, of column m in the table of the clamped cosine. */
+/* Entries of band l in the table of swaps. */
 SHI_INLINE int shi_swap_size(int l)
 {
     const int a = l / 2, b = (l + 1) / 2;
@@ -73,10 +78,12 @@ SHI_INLINE int shi_euler(const double m[9], double tolerance, double cs[6])
 
     for (i = 0; i < 3; i++)
         for (j = i; j < 3; j++) {
-            const double dot = m[3 * i] * m[3 * j] + m[3 * i + 1] * m[3 * j + 1] + m[3 * i + 2] * m[3 * j + 2];
+            const double *const p = m + 3 * i, *const q = m + 3 * j;
+            const double dot = p[0] * q[0] + p[1] * q[1] + p[2] * q[2];
             if (!(fabs(dot - (i == j)) <= tolerance)) return SH_ERROR_MATRIX;
         }
-    det = m[0] * (m[4] * m[8] - m[5] * m[7]) - m[1] * (m[3] * m[8] - m[5] * m[6]) + m[2] * (m[3] * m[7] - m[4] * m[6]);
+    det = m[0] * (m[4] * m[8] - m[5] * m[7]) - m[1] * (m[3] * m[8] - m[5] * m[6])
+        + m[2] * (m[3] * m[7] - m[4] * m[6]);
     if (!(det > 0)) return SH_ERROR_MATRIX;
     sb = sqrt(m[2] * m[2] + m[5] * m[5]);
     cs[0] = sb > 0 ? m[2] / sb : 1;
@@ -84,7 +91,8 @@ SHI_INLINE int shi_euler(const double m[9], double tolerance, double cs[6])
     r = sqrt(sb * sb + m[8] * m[8]);
     cs[2] = m[8] / r;
     cs[3] = sb / r;
-    cs[4] = cs[0] * m[4] - cs[1] * m[1];        /* row y of Rz(-a) m = Ry(b) Rz(g): well defined at b = 0 and pi too */
+    /* row y of Rz(-a) m = Ry(b) Rz(g), which Ry leaves alone: well defined at b = 0 and pi too */
+    cs[4] = cs[0] * m[4] - cs[1] * m[1];
     cs[5] = cs[0] * m[3] - cs[1] * m[0];
     r = sqrt(cs[4] * cs[4] + cs[5] * cs[5]);
     cs[4] /= r;
@@ -101,13 +109,14 @@ SHI_INLINE void shi_power(int bands, double s, double *zh)
     for (l = 0; l < bands; l++) zh[l] *= sqrt((2 * l + 1) * 0.07957747154594767);
 }
 
-/* Coefficients of a2 / (pi ((1 + a2) - (1 - a2) z)^2) with a2 = alpha^2. Its Legendre integrals are -Q_l'(p), Q the function
- * of the second kind, p = (1 + a2)/(1 - a2): the decaying solution of l e_{l+1} = (2l+1) p e_l - (l+1) e_{l-1}. Carried as
- * s_l = 1 - e_l/e_{l-1} it has no cancellation downwards; for alpha below 1e-3, where that is long, s_l is so small that it
- * may go upwards from s_1. */
+/* Coefficients of a2 / (pi ((1 + a2) - (1 - a2) z)^2) with a2 = alpha^2. Its Legendre integrals are
+ * -Q_l'(p), Q the function of the second kind, p = (1 + a2)/(1 - a2): the decaying solution of l e_{l+1} =
+ * (2l+1) p e_l - (l+1) e_{l-1}. Carried as s_l = 1 - e_l/e_{l-1} it has no cancellation downwards; for
+ * alpha below 1e-3, where that is long, s_l is so small that it may go upwards from s_1. */
 SHI_INLINE void shi_ggx(int bands, double alpha, double *zh)
 {
-    const double a2 = alpha * alpha, t = (1 - alpha) * (1 + alpha) / (1 + a2), u = 2 * a2 / (1 + a2);  /* t = 1/p, u = 1 - t */
+    /* t = 1/p, u = 1 - t */
+    const double a2 = alpha * alpha, t = (1 - alpha) * (1 + alpha) / (1 + a2), u = 2 * a2 / (1 + a2);
     double s = 1;
     int l;
 
@@ -147,14 +156,16 @@ SHI_INLINE int shi_parity(int axis, int l, int m)
 
 /* ---- other systems' conventions: docs/conventions.md is this table for people ---- */
 
-enum { SHI_ACN, SHI_FUMA, SHI_COMPLEX, SHI_HALF_COMPLEX, SHI_TRIANGLES, SHI_SQUARES, SHI_PACKED, SHI_MONOMIALS };
-enum { SHI_RADIANCE, SHI_PER_PI, SHI_IRRADIANCE, SHI_FOLDED, SHI_FOUR_PI, SHI_N3D, SHI_SN3D, SHI_MAX_N, SHI_HALVES, SHI_DOUBLES };
+enum { SHI_ACN, SHI_FUMA, SHI_COMPLEX, SHI_HALF_COMPLEX, SHI_TRIANGLES,
+       SHI_SQUARES, SHI_PACKED, SHI_MONOMIALS };
+enum { SHI_RADIANCE, SHI_PER_PI, SHI_IRRADIANCE, SHI_FOLDED, SHI_FOUR_PI, SHI_N3D,
+       SHI_SN3D, SHI_MAX_N, SHI_HALVES, SHI_DOUBLES };
 
 typedef struct {
     const char *name;
     signed char order, scale;
     signed char phase;                  /* 1: Condon-Shortley factor in, as here */
-    signed char polar;                  /* axis of theirs that is our z: 2, or 1 where x, y, z are our y, z, x */
+    signed char polar;                  /* axis of theirs that is our z: 2; or 1, their x, y, z our y, z, x */
     signed char most;                   /* bands */
 } shi_convention;
 
@@ -233,9 +244,11 @@ SH_API int sh_convention_size(int convention, int bands)
 SHI_INLINE double shi_convention_factor(const shi_convention *c, int l, int m)
 {
     static const double cosine[3] = { 1, 2.0 / 3, 0.25 };       /* irradiance / pi over radiance */
-    static const double basis[9] = { 0.28209479177387814, 0.4886025119029199, 0.4886025119029199, 0.4886025119029199,
+    static const double basis[9] = { 0.28209479177387814,
+        0.4886025119029199, 0.4886025119029199, 0.4886025119029199,
         1.0925484305920792, 1.0925484305920792, 0.31539156525252, 1.0925484305920792, 0.5462742152960396 };
-    static const double peak[4][4] = { { 0.7071067811865476 }, { 1, 1 }, { 1, 1.1547005383792515, 1.1547005383792515 },
+    static const double peak[4][4] = { { 0.7071067811865476 }, { 1, 1 },
+        { 1, 1.1547005383792515, 1.1547005383792515 },
         { 1, 1.1858541225631423, 1.3416407864998738, 1.2649110640673518 } };    /* FuMa over SN3D */
     const int am = m < 0 ? -m : m;
     double f = !c->phase && (m & 1) ? -1 : 1;
@@ -925,13 +938,14 @@ static const SHI_T SHI_FN(shi_node_w)[28] = {
 /* END tools/gen_product.py */
 
 /* ================================================================================================================
- * Kernels: once per lane type. Lanes are coefficient vectors; in the triple product they are nodes of the quadrature.
- * A band is passed by its middle element: d[m], m = -l..l.
+ * Kernels: once per lane type. Lanes are coefficient vectors; in the triple product they are nodes of the
+ * quadrature. A band is passed by its middle element: d[m], m = -l..l.
  * ============================================================================================================= */
 #elif SHI_ROOM == SHI_KERNELS
 
-/* Turn band l about z: by the angle whose multiples' cosines and sines are c[m], s[m]; back by the same angle. */
-SHI_INLINE void SHI_KN(shi_turn)(int l, SHI_V *d, const SHI_V *c, const SHI_V *s)
+/* Turn band l about z: by the angle whose multiples' cosines and sines are c[m], s[m]; back by the same
+ * angle. */
+SHI_INLINE void SHI_KN(shi_prod_turn)(int l, SHI_V *d, const SHI_V *c, const SHI_V *s)
 {
     int m;
     for (m = 1; m <= l; m++) {
@@ -941,7 +955,7 @@ SHI_INLINE void SHI_KN(shi_turn)(int l, SHI_V *d, const SHI_V *c, const SHI_V *s
     }
 }
 
-SHI_INLINE void SHI_KN(shi_turn_back)(int l, SHI_V *d, const SHI_V *c, const SHI_V *s)
+SHI_INLINE void SHI_KN(shi_prod_turn_back)(int l, SHI_V *d, const SHI_V *c, const SHI_V *s)
 {
     int m;
     for (m = 1; m <= l; m++) {
@@ -951,9 +965,10 @@ SHI_INLINE void SHI_KN(shi_turn_back)(int l, SHI_V *d, const SHI_V *c, const SHI
     }
 }
 
-/* out[i] = sum_j k[i][j] in[j], n <= 8, rows of k a pitch apart, elements of in and out a step; all of in is read first. One
- * body per n: with the loops gone the branches are, too. */
-SHI_KERNEL void SHI_KN(shi_square_of)(const int n, int pitch, const SHI_T *k, const SHI_V *in, int in_step, SHI_V *out, int step)
+/* out[i] = sum_j k[i][j] in[j], n <= 8, rows of k a pitch apart, elements of in and out a step; all of in
+ * is read first. One body per n: with the loops gone the branches are, too. */
+SHI_KERNEL void SHI_KN(shi_prod_square_of)(const int n, int pitch, const SHI_T *k, const SHI_V *in,
+                                           int in_step, SHI_V *out, int step)
 {
     SHI_V v[SH_PRODUCT_BANDS / 2];
     int i, j;
@@ -969,23 +984,24 @@ SHI_KERNEL void SHI_KN(shi_square_of)(const int n, int pitch, const SHI_T *k, co
     }
 }
 
-SHI_NOINLINE void SHI_KN(shi_square)(int n, int pitch, const SHI_T *k, const SHI_V *in, int in_step, SHI_V *out, int step)
+SHI_NOINLINE void SHI_KN(shi_prod_square)(int n, int pitch, const SHI_T *k, const SHI_V *in, int in_step,
+                                          SHI_V *out, int step)
 {
     switch (n) {
-    case 1: SHI_KN(shi_square_of)(1, pitch, k, in, in_step, out, step); break;
-    case 2: SHI_KN(shi_square_of)(2, pitch, k, in, in_step, out, step); break;
-    case 3: SHI_KN(shi_square_of)(3, pitch, k, in, in_step, out, step); break;
-    case 4: SHI_KN(shi_square_of)(4, pitch, k, in, in_step, out, step); break;
-    case 5: SHI_KN(shi_square_of)(5, pitch, k, in, in_step, out, step); break;
-    case 6: SHI_KN(shi_square_of)(6, pitch, k, in, in_step, out, step); break;
-    case 7: SHI_KN(shi_square_of)(7, pitch, k, in, in_step, out, step); break;
-    case 8: SHI_KN(shi_square_of)(8, pitch, k, in, in_step, out, step); break;
+    case 1: SHI_KN(shi_prod_square_of)(1, pitch, k, in, in_step, out, step); break;
+    case 2: SHI_KN(shi_prod_square_of)(2, pitch, k, in, in_step, out, step); break;
+    case 3: SHI_KN(shi_prod_square_of)(3, pitch, k, in, in_step, out, step); break;
+    case 4: SHI_KN(shi_prod_square_of)(4, pitch, k, in, in_step, out, step); break;
+    case 5: SHI_KN(shi_prod_square_of)(5, pitch, k, in, in_step, out, step); break;
+    case 6: SHI_KN(shi_prod_square_of)(6, pitch, k, in, in_step, out, step); break;
+    case 7: SHI_KN(shi_prod_square_of)(7, pitch, k, in, in_step, out, step); break;
+    case 8: SHI_KN(shi_prod_square_of)(8, pitch, k, in, in_step, out, step); break;
     default: break;
     }
 }
 
 /* p = k q and q = k^T p at once */
-SHI_KERNEL void SHI_KN(shi_exchange_of)(const int n, const SHI_T *k, SHI_V *p, SHI_V *q)
+SHI_KERNEL void SHI_KN(shi_prod_exchange_of)(const int n, const SHI_T *k, SHI_V *p, SHI_V *q)
 {
     SHI_V a[SH_PRODUCT_BANDS / 2], b[SH_PRODUCT_BANDS / 2];
     int i, j;
@@ -1005,43 +1021,45 @@ SHI_KERNEL void SHI_KN(shi_exchange_of)(const int n, const SHI_T *k, SHI_V *p, S
     }
 }
 
-/* Exchange y and z in band l. A basis function is even or odd in x, y and z; the swap keeps x and exchanges the other
- * two, so of the classes cos even m, cos odd m, sin even m, sin odd m two map to themselves and two to each other. */
-SHI_NOINLINE void SHI_KN(shi_swap)(int l, const SHI_T *k, SHI_V *d)
+/* Exchange y and z in band l. A basis function is even or odd in x, y and z; the swap keeps x and
+ * exchanges the other two, so of the classes cos even m, cos odd m, sin even m, sin odd m two map to
+ * themselves and two to each other. */
+SHI_NOINLINE void SHI_KN(shi_prod_swap)(int l, const SHI_T *k, SHI_V *d)
 {
     const int half = (l + 1) / 2;
     SHI_V *p, *q;
 
     if (l % 2 == 0) {
-        SHI_KN(shi_square)(half + 1, half + 1, k, d, 2, d, 2);
+        SHI_KN(shi_prod_square)(half + 1, half + 1, k, d, 2, d, 2);
         k += (half + 1) * (half + 1);
-        SHI_KN(shi_square)(half, half, k, d - 1, -2, d - 1, -2);
+        SHI_KN(shi_prod_square)(half, half, k, d - 1, -2, d - 1, -2);
         k += half * half;
         p = d + 1;
         q = d - 2;
     } else {
-        SHI_KN(shi_square)(half, half, k, d + 1, 2, d + 1, 2);
+        SHI_KN(shi_prod_square)(half, half, k, d + 1, 2, d + 1, 2);
         k += half * half;
-        SHI_KN(shi_square)(half - 1, half - 1, k, d - 2, -2, d - 2, -2);
+        SHI_KN(shi_prod_square)(half - 1, half - 1, k, d - 2, -2, d - 2, -2);
         k += (half - 1) * (half - 1);
         p = d;
         q = d - 1;
     }
     switch (half) {
-    case 1: SHI_KN(shi_exchange_of)(1, k, p, q); break;
-    case 2: SHI_KN(shi_exchange_of)(2, k, p, q); break;
-    case 3: SHI_KN(shi_exchange_of)(3, k, p, q); break;
-    case 4: SHI_KN(shi_exchange_of)(4, k, p, q); break;
-    case 5: SHI_KN(shi_exchange_of)(5, k, p, q); break;
-    case 6: SHI_KN(shi_exchange_of)(6, k, p, q); break;
-    case 7: SHI_KN(shi_exchange_of)(7, k, p, q); break;
-    case 8: SHI_KN(shi_exchange_of)(8, k, p, q); break;
+    case 1: SHI_KN(shi_prod_exchange_of)(1, k, p, q); break;
+    case 2: SHI_KN(shi_prod_exchange_of)(2, k, p, q); break;
+    case 3: SHI_KN(shi_prod_exchange_of)(3, k, p, q); break;
+    case 4: SHI_KN(shi_prod_exchange_of)(4, k, p, q); break;
+    case 5: SHI_KN(shi_prod_exchange_of)(5, k, p, q); break;
+    case 6: SHI_KN(shi_prod_exchange_of)(6, k, p, q); break;
+    case 7: SHI_KN(shi_prod_exchange_of)(7, k, p, q); break;
+    case 8: SHI_KN(shi_prod_exchange_of)(8, k, p, q); break;
     default: break;
     }
 }
 
-/* Multiply by max(0, z). In column m a row l meets l +- 2, 4, ... through a square of its parity, and l +- 1. */
-SHI_INLINE void SHI_KN(shi_clamp)(int bands, const SHI_T *k, SHI_V *d)
+/* Multiply by max(0, z). In column m a row l meets l +- 2, 4, ... through a square of its parity, and l +-
+ * 1. */
+SHI_INLINE void SHI_KN(shi_prod_clamp)(int bands, const SHI_T *k, SHI_V *d)
 {
     SHI_V p[SH_PRODUCT_BANDS + 1], q[SH_PRODUCT_BANDS + 1], a[SH_PRODUCT_BANDS + 1], b[SH_PRODUCT_BANDS + 1];
     int m, i;
@@ -1053,11 +1071,11 @@ SHI_INLINE void SHI_KN(shi_clamp)(int bands, const SHI_T *k, SHI_V *d)
             p[i] = d[at + m];
             q[i] = d[at - m];
         }
-        SHI_KN(shi_square)((n + 1) / 2, even, k, p, 2, a, 2);
-        SHI_KN(shi_square)((n + 1) / 2, even, k, q, 2, b, 2);
+        SHI_KN(shi_prod_square)((n + 1) / 2, even, k, p, 2, a, 2);
+        SHI_KN(shi_prod_square)((n + 1) / 2, even, k, q, 2, b, 2);
         k += even * even;
-        SHI_KN(shi_square)(n / 2, odd, k, p + 1, 2, a + 1, 2);
-        SHI_KN(shi_square)(n / 2, odd, k, q + 1, 2, b + 1, 2);
+        SHI_KN(shi_prod_square)(n / 2, odd, k, p + 1, 2, a + 1, 2);
+        SHI_KN(shi_prod_square)(n / 2, odd, k, q + 1, 2, b + 1, 2);
         k += odd * odd;
         for (i = 0; i < n; i++) {
             const int at = (m + i) * (m + i + 1);
@@ -1072,7 +1090,7 @@ SHI_INLINE void SHI_KN(shi_clamp)(int bands, const SHI_T *k, SHI_V *d)
 }
 
 /* Cosine and sine of m times the angle of (c, s), m < bands. */
-SHI_INLINE void SHI_KN(shi_multiples)(int bands, const SHI_V *c, const SHI_V *s, SHI_V *cm, SHI_V *sm)
+SHI_INLINE void SHI_KN(shi_prod_multiples)(int bands, const SHI_V *c, const SHI_V *s, SHI_V *cm, SHI_V *sm)
 {
     int m;
     memset(&sm[0], 0, sizeof sm[0]);
@@ -1085,8 +1103,10 @@ SHI_INLINE void SHI_KN(shi_multiples)(int bands, const SHI_V *c, const SHI_V *s,
     }
 }
 
-/* f times the clamped cosine about a normal per lane: turn the normal to +z (Rz then Ry = swap Rz swap), multiply, back. */
-SHI_INLINE void SHI_KN(shi_cosine)(int bands, const SHI_T *swap, const SHI_T *clamp, const SHI_V n[3], SHI_V *d)
+/* f times the clamped cosine about a normal per lane: turn the normal to +z (Rz then Ry = swap Rz swap),
+ * multiply, back. */
+SHI_INLINE void SHI_KN(shi_prod_cosine)(int bands, const SHI_T *swap, const SHI_T *clamp, const SHI_V n[3],
+                                        SHI_V *d)
 {
     SHI_V ca[SH_PRODUCT_BANDS], sa[SH_PRODUCT_BANDS], cb[SH_PRODUCT_BANDS], sb[SH_PRODUCT_BANDS];
     SHI_V zero, one, x, y, z, big, scale, s2, s, r, c;
@@ -1107,54 +1127,54 @@ SHI_INLINE void SHI_KN(shi_cosine)(int bands, const SHI_T *swap, const SHI_T *cl
     x = SHI_SELECT(s2 > zero, x * c, one);      /* at the pole any azimuth will do */
     y = SHI_SELECT(s2 > zero, y * c, zero);
     z = z * r; s = s * r;
-    SHI_KN(shi_multiples)(bands, &x, &y, ca, sa);
-    SHI_KN(shi_multiples)(bands, &z, &s, cb, sb);
+    SHI_KN(shi_prod_multiples)(bands, &x, &y, ca, sa);
+    SHI_KN(shi_prod_multiples)(bands, &z, &s, cb, sb);
 
     for (l = 1; l < bands; l++) {
         SHI_V *e = d + l * (l + 1);
         k += shi_swap_size(l - 1);
-        SHI_KN(shi_turn_back)(l, e, ca, sa);
-        SHI_KN(shi_swap)(l, k, e);
-        SHI_KN(shi_turn)(l, e, cb, sb);         /* Ry(-b) = swap Rz(b) swap */
-        SHI_KN(shi_swap)(l, k, e);
+        SHI_KN(shi_prod_turn_back)(l, e, ca, sa);
+        SHI_KN(shi_prod_swap)(l, k, e);
+        SHI_KN(shi_prod_turn)(l, e, cb, sb);         /* Ry(-b) = swap Rz(b) swap */
+        SHI_KN(shi_prod_swap)(l, k, e);
     }
-    SHI_KN(shi_clamp)(bands, clamp, d);
+    SHI_KN(shi_prod_clamp)(bands, clamp, d);
     for (k = swap, l = 1; l < bands; l++) {
         SHI_V *e = d + l * (l + 1);
         k += shi_swap_size(l - 1);
-        SHI_KN(shi_swap)(l, k, e);
-        SHI_KN(shi_turn_back)(l, e, cb, sb);
-        SHI_KN(shi_swap)(l, k, e);
-        SHI_KN(shi_turn)(l, e, ca, sa);
+        SHI_KN(shi_prod_swap)(l, k, e);
+        SHI_KN(shi_prod_turn_back)(l, e, cb, sb);
+        SHI_KN(shi_prod_swap)(l, k, e);
+        SHI_KN(shi_prod_turn)(l, e, ca, sa);
     }
 }
 
-SHI_INLINE void SHI_KN(shi_rotate)(int bands, const SHI_T *swap, const SHI_V *angle /*[6][16]*/, SHI_V *d)
+SHI_INLINE void SHI_KN(shi_prod_rotate)(int bands, const SHI_T *swap, const SHI_V *angle, SHI_V *d)
 {
     int l;
     for (l = 1; l < bands; l++) {
         SHI_V *e = d + l * (l + 1);
         swap += shi_swap_size(l - 1);
-        SHI_KN(shi_turn)(l, e, angle + 4 * SH_PRODUCT_BANDS, angle + 5 * SH_PRODUCT_BANDS);
-        SHI_KN(shi_swap)(l, swap, e);
-        SHI_KN(shi_turn_back)(l, e, angle + 2 * SH_PRODUCT_BANDS, angle + 3 * SH_PRODUCT_BANDS);
-        SHI_KN(shi_swap)(l, swap, e);
-        SHI_KN(shi_turn)(l, e, angle, angle + SH_PRODUCT_BANDS);
+        SHI_KN(shi_prod_turn)(l, e, angle + 4 * SH_PRODUCT_BANDS, angle + 5 * SH_PRODUCT_BANDS);
+        SHI_KN(shi_prod_swap)(l, swap, e);
+        SHI_KN(shi_prod_turn_back)(l, e, angle + 2 * SH_PRODUCT_BANDS, angle + 3 * SH_PRODUCT_BANDS);
+        SHI_KN(shi_prod_swap)(l, swap, e);
+        SHI_KN(shi_prod_turn)(l, e, angle, angle + SH_PRODUCT_BANDS);
     }
 }
 
-SHI_INLINE void SHI_KN(shi_swap_bands)(int bands, const SHI_T *swap, SHI_V *d)
+SHI_INLINE void SHI_KN(shi_prod_swap_bands)(int bands, const SHI_T *swap, SHI_V *d)
 {
     int l;
     for (l = 1; l < bands; l++) {
         swap += shi_swap_size(l - 1);
-        SHI_KN(shi_swap)(l, swap, d + l * (l + 1));
+        SHI_KN(shi_prod_swap)(l, swap, d + l * (l + 1));
     }
 }
 
-/* Complex Fourier coefficients in azimuth of a function at heights +z (first half of re, im) and -z, m = -(bands-1)..
- * about the middle. y holds Y_lm at azimuth 0, m >= 0, elements SH_BLOCK apart. */
-SHI_INLINE void SHI_KN(shi_fourier)(int bands, const SHI_T *y, const SHI_T *c, SHI_V *re, SHI_V *im)
+/* Complex Fourier coefficients in azimuth of a function at heights +z (first half of re, im) and -z, m =
+ * -(bands-1).. about the middle. y holds Y_lm at azimuth 0, m >= 0, elements SH_BLOCK apart. */
+SHI_INLINE void SHI_KN(shi_prod_fourier)(int bands, const SHI_T *y, const SHI_T *c, SHI_V *re, SHI_V *im)
 {
     const int other = 2 * SH_PRODUCT_BANDS;
     int l, m;
@@ -1190,13 +1210,14 @@ SHI_INLINE void SHI_KN(shi_fourier)(int bands, const SHI_T *y, const SHI_T *c, S
     }
 }
 
-/* Product by sampling: exact, because pairs of Gauss nodes integrate the polynomial of degree na + nb + n - 3 in z, and
- * in azimuth the product of the two Fourier series is formed instead of sampled. */
-SHI_INLINE void SHI_KN(shi_triple)(int pairs, int na, int nb, int n, int stride, const SHI_T *y, const SHI_T *weight,
-                                   const SHI_T *a, const SHI_T *b, SHI_T *out)
+/* Product by sampling: exact, because pairs of Gauss nodes integrate the polynomial of degree na + nb + n
+ * - 3 in z, and in azimuth the product of the two Fourier series is formed instead of sampled. */
+SHI_INLINE void SHI_KN(shi_prod_triple)(int pairs, int na, int nb, int n, int stride, const SHI_T *y,
+                                        const SHI_T *weight, const SHI_T *a, const SHI_T *b, SHI_T *out)
 {
     SHI_V sum[SH_PRODUCT_BANDS * SH_PRODUCT_BANDS];
-    SHI_V ar[4 * SH_PRODUCT_BANDS], ai[4 * SH_PRODUCT_BANDS], br[4 * SH_PRODUCT_BANDS], bi[4 * SH_PRODUCT_BANDS];
+    SHI_V ar[4 * SH_PRODUCT_BANDS], ai[4 * SH_PRODUCT_BANDS];
+    SHI_V br[4 * SH_PRODUCT_BANDS], bi[4 * SH_PRODUCT_BANDS];
     const int other = 2 * SH_PRODUCT_BANDS, mid = SH_PRODUCT_BANDS;
     int g, i, j, l, m;
 
@@ -1204,8 +1225,8 @@ SHI_INLINE void SHI_KN(shi_triple)(int pairs, int na, int nb, int n, int stride,
         const SHI_T *at = y + (size_t)(g / SH_BLOCK) * (size_t)stride * SH_BLOCK + g % SH_BLOCK;
         const SHI_V w = SHI_C(6.283185307179586) * SHI_LOAD(weight + g);
 
-        SHI_KN(shi_fourier)(na, at, a, ar + mid, ai + mid);
-        SHI_KN(shi_fourier)(nb, at, b, br + mid, bi + mid);
+        SHI_KN(shi_prod_fourier)(na, at, a, ar + mid, ai + mid);
+        SHI_KN(shi_prod_fourier)(nb, at, b, br + mid, bi + mid);
         for (m = 0; m < n; m++) {
             const int first = m - nb + 1 > 1 - na ? m - nb + 1 : 1 - na;
             const int last = m + nb - 1 < na - 1 ? m + nb - 1 : na - 1;
@@ -1236,17 +1257,19 @@ SHI_INLINE void SHI_KN(shi_triple)(int pairs, int na, int nb, int n, int stride,
     for (i = 0; i < n * n; i++) out[i] = SHI_SUM(sum[i]);
 }
 
-/* Irradiance of a 3-band light at a unit normal: a quadratic polynomial (RH01 Eq. 12). k: 1, x, y, z, xx, yy, zz, xy, yz, xz. */
-SHI_INLINE void SHI_KN(shi_quadratic)(const SHI_T k[10], const SHI_V n[3], SHI_V *e)
+/* Irradiance of a 3-band light at a unit normal: a quadratic polynomial (RH01 Eq. 12). k: 1, x, y, z, xx,
+ * yy, zz, xy, yz, xz. */
+SHI_INLINE void SHI_KN(shi_prod_quadratic)(const SHI_T k[10], const SHI_V n[3], SHI_V *e)
 {
     const SHI_V x = n[0], y = n[1], z = n[2];
-    *e = k[0] + x * (k[1] + k[4] * x + k[7] * y + k[9] * z) + y * (k[2] + k[5] * y + k[8] * z) + z * (k[3] + k[6] * z);
+    *e = k[0] + x * (k[1] + k[4] * x + k[7] * y + k[9] * z)
+       + y * (k[2] + k[5] * y + k[8] * z) + z * (k[3] + k[6] * z);
 }
 
 /* ---- from arrays to lanes and back ---- */
 
 /* a[i] lane j <-> a[j] lane i */
-SHI_KERNEL void SHI_KN(shi_mirror_lanes)(SHI_V *a)
+SHI_KERNEL void SHI_KN(shi_prod_mirror_lanes)(SHI_V *a)
 {
 #if SHI_LANES > 1
     SHI_V b[SHI_W];
@@ -1263,9 +1286,10 @@ SHI_KERNEL void SHI_KN(shi_mirror_lanes)(SHI_V *a)
 #endif
 }
 
-/* SHI_W vectors of n numbers from the first on: plain [count][n], or blocks [n][SH_BLOCK], which have no rest.
- * Lanes past the end repeat the last vector. */
-SHI_INLINE void SHI_KN(shi_enter)(int n, int plain, size_t first, size_t count, const SHI_T *in, SHI_V *d)
+/* SHI_W vectors of n numbers from the first on: plain [count][n], or blocks [n][SH_BLOCK], which have no
+ * rest. Lanes past the end repeat the last vector. */
+SHI_INLINE void SHI_KN(shi_prod_enter)(int n, int plain, size_t first, size_t count, const SHI_T *in,
+                                       SHI_V *d)
 {
     const size_t left = count - first, size = (size_t)n;
     const SHI_T *from[SHI_W];
@@ -1282,7 +1306,7 @@ SHI_INLINE void SHI_KN(shi_enter)(int n, int plain, size_t first, size_t count, 
         SHI_V a[SHI_W];
         SHI_UNROLL
         for (i = 0; i < SHI_W; i++) a[i] = SHI_LOAD(from[i] + r);
-        SHI_KN(shi_mirror_lanes)(a);
+        SHI_KN(shi_prod_mirror_lanes)(a);
         SHI_UNROLL
         for (i = 0; i < SHI_W; i++) d[r + i] = a[i];
         if (r + SHI_W >= n) return;
@@ -1295,7 +1319,8 @@ SHI_INLINE void SHI_KN(shi_enter)(int n, int plain, size_t first, size_t count, 
 }
 
 /* The way back; lanes with skip[i] set are not written (skip may be NULL). */
-SHI_INLINE void SHI_KN(shi_leave)(int n, int plain, size_t first, size_t count, const char *skip, const SHI_V *d, SHI_T *out)
+SHI_INLINE void SHI_KN(shi_prod_leave)(int n, int plain, size_t first, size_t count, const char *skip,
+                                       const SHI_V *d, SHI_T *out)
 {
     const size_t left = count - first, size = (size_t)n;
     const size_t next = plain ? size : 1;
@@ -1312,7 +1337,7 @@ SHI_INLINE void SHI_KN(shi_leave)(int n, int plain, size_t first, size_t count, 
             SHI_V a[SHI_W];
             SHI_UNROLL
             for (i = 0; i < SHI_W; i++) a[i] = d[r + i];
-            SHI_KN(shi_mirror_lanes)(a);
+            SHI_KN(shi_prod_mirror_lanes)(a);
             SHI_UNROLL
             for (i = 0; i < SHI_W; i++) SHI_STORE(out + (size_t)i * size + r, a[i]);
             if (r + SHI_W >= n) return;
@@ -1326,8 +1351,8 @@ SHI_INLINE void SHI_KN(shi_leave)(int n, int plain, size_t first, size_t count, 
     }
 }
 
-SHI_INLINE void SHI_KN(shi_rotate_all)(int bands, int plain, const SHI_T *swap, const SHI_T *angle, size_t count,
-                                       const SHI_T *in, SHI_T *out)
+SHI_INLINE void SHI_KN(shi_prod_rotate_all)(int bands, int plain, const SHI_T *swap, const SHI_T *angle,
+                                            size_t count, const SHI_T *in, SHI_T *out)
 {
     SHI_V a[6 * SH_PRODUCT_BANDS], d[SH_PRODUCT_BANDS * SH_PRODUCT_BANDS];
     size_t v;
@@ -1335,15 +1360,15 @@ SHI_INLINE void SHI_KN(shi_rotate_all)(int bands, int plain, const SHI_T *swap, 
 
     for (i = 0; i < 6 * SH_PRODUCT_BANDS; i++) a[i] = SHI_SPLAT(angle[i]);
     for (v = 0; v < count; v += SHI_W) {
-        SHI_KN(shi_enter)(bands * bands, plain, v, count, in, d);
-        SHI_KN(shi_rotate)(bands, swap, a, d);
-        SHI_KN(shi_leave)(bands * bands, plain, v, count, NULL, d, out);
+        SHI_KN(shi_prod_enter)(bands * bands, plain, v, count, in, d);
+        SHI_KN(shi_prod_rotate)(bands, swap, a, d);
+        SHI_KN(shi_prod_leave)(bands * bands, plain, v, count, NULL, d, out);
     }
 }
 
 /* normals: NULL for +z. A bad one leaves its output alone; returns the status of the first. */
-SHI_INLINE int SHI_KN(shi_cosine_all)(int bands, int plain, const SHI_T *swap, const SHI_T *clamp, size_t count,
-                                      const SHI_T *normals, const SHI_T *in, SHI_T *out)
+SHI_INLINE int SHI_KN(shi_prod_cosine_all)(int bands, int plain, const SHI_T *swap, const SHI_T *clamp,
+                                           size_t count, const SHI_T *normals, const SHI_T *in, SHI_T *out)
 {
     SHI_V n[3], d[SH_PRODUCT_BANDS * SH_PRODUCT_BANDS];
     char skip[SHI_W];
@@ -1351,51 +1376,54 @@ SHI_INLINE int SHI_KN(shi_cosine_all)(int bands, int plain, const SHI_T *swap, c
     size_t v;
 
     for (v = 0; v < count; v += SHI_W) {
-        SHI_KN(shi_enter)(bands * bands, plain, v, count, in, d);
+        SHI_KN(shi_prod_enter)(bands * bands, plain, v, count, in, d);
         bad = 0;
         if (normals) {
-            SHI_KN(shi_enter)(3, plain, v, count, normals, n);
+            SHI_KN(shi_prod_enter)(3, plain, v, count, normals, n);
             if (!SHI_KN(shi_in_range)(n[0] * n[0] + n[1] * n[1] + n[2] * n[2], SHI_MIN2, SHI_MAX2)) {
                 SHI_T t[3][SHI_W];
                 for (k = 0; k < 3; k++) SHI_STORE(t[k], n[k]);
                 for (i = 0; i < SHI_W; i++) {
                     SHI_T u[3];
                     for (k = 0; k < 3; k++) u[k] = t[k][i];
-                    skip[i] = !SHI_ONE(shi_in_range)(u[0] * u[0] + u[1] * u[1] + u[2] * u[2], SHI_MIN2, SHI_MAX2);
+                    skip[i] = !SHI_ONE(shi_in_range)(u[0] * u[0] + u[1] * u[1] + u[2] * u[2],
+                                                     SHI_MIN2, SHI_MAX2);
                     if (!skip[i]) continue;
                     if (!status) status = SHI_FN(shi_direction_status)(u);
                     bad = 1;
                 }
             }
-            SHI_KN(shi_cosine)(bands, swap, clamp, n, d);
-        } else SHI_KN(shi_clamp)(bands, clamp, d);
-        SHI_KN(shi_leave)(bands * bands, plain, v, count, bad ? skip : NULL, d, out);
+            SHI_KN(shi_prod_cosine)(bands, swap, clamp, n, d);
+        } else SHI_KN(shi_prod_clamp)(bands, clamp, d);
+        SHI_KN(shi_prod_leave)(bands * bands, plain, v, count, bad ? skip : NULL, d, out);
     }
     return status;
 }
 
 /* y <-> z */
-SHI_INLINE void SHI_KN(shi_swap_all)(int bands, const SHI_T *swap, size_t count, const SHI_T *in, SHI_T *out)
+SHI_INLINE void SHI_KN(shi_prod_swap_all)(int bands, const SHI_T *swap, size_t count, const SHI_T *in,
+                                          SHI_T *out)
 {
     SHI_V d[SH_PRODUCT_BANDS * SH_PRODUCT_BANDS];
     size_t v;
 
     for (v = 0; v < count; v += SHI_W) {
-        SHI_KN(shi_enter)(bands * bands, 1, v, count, in, d);
-        SHI_KN(shi_swap_bands)(bands, swap, d);
-        SHI_KN(shi_leave)(bands * bands, 1, v, count, NULL, d, out);
+        SHI_KN(shi_prod_enter)(bands * bands, 1, v, count, in, d);
+        SHI_KN(shi_prod_swap_bands)(bands, swap, d);
+        SHI_KN(shi_prod_leave)(bands * bands, 1, v, count, NULL, d, out);
     }
 }
 
-SHI_INLINE void SHI_KN(shi_quadratic_all)(const SHI_T k[10], size_t count, const SHI_T *normals, SHI_T *out)
+SHI_INLINE void SHI_KN(shi_prod_quadratic_all)(const SHI_T k[10], size_t count, const SHI_T *normals,
+                                               SHI_T *out)
 {
     SHI_V n[3], e;
     size_t v;
 
     for (v = 0; v < count; v += SHI_W) {
-        SHI_KN(shi_enter)(3, 1, v, count, normals, n);
-        SHI_KN(shi_quadratic)(k, n, &e);
-        SHI_KN(shi_leave)(1, 1, v, count, NULL, &e, out);
+        SHI_KN(shi_prod_enter)(3, 1, v, count, normals, n);
+        SHI_KN(shi_prod_quadratic)(k, n, &e);
+        SHI_KN(shi_prod_leave)(1, 1, v, count, NULL, &e, out);
     }
 }
 
@@ -1404,7 +1432,7 @@ SHI_INLINE void SHI_KN(shi_quadratic_all)(const SHI_T k[10], size_t count, const
  * ============================================================================================================= */
 #elif SHI_ROOM == SHI_PUBLIC
 
-/* ---- rotation -------------------------------------------------------------------------------------------------- */
+/* ---- rotation ------------------------------------------------------------------------------------------ */
 
 /* A rotation, ready for use: cosines, then sines, of the multiples of a, b and g in Rz(a) Ry(b) Rz(g). */
 typedef struct { SHI_T angle[6][SH_PRODUCT_BANDS]; } SHI_FN(sh_rotation);
@@ -1442,7 +1470,8 @@ SH_API int SHI_FN(sh_rotation_matrix)(const SHI_T m[9], SHI_FN(sh_rotation) *r)
     return SHI_FN(shi_rotation)(d, r);
 }
 
-/* The same from a quaternion x, y, z, w of any length from 1e-18 to 1e18; a shorter or longer one is SH_ERROR_MATRIX. */
+/* The same from a quaternion x, y, z, w of any length from 1e-18 to 1e18; a shorter or longer one is
+ * SH_ERROR_MATRIX. */
 SH_API int SHI_FN(sh_rotation_quaternion)(const SHI_T q[4], SHI_FN(sh_rotation) *r)
 {
     double d[9], x, y, z, w, s;
@@ -1490,25 +1519,27 @@ SHI_INLINE int SHI_FN(shi_vectors)(int bands, int most, size_t count, const SHI_
  *   in, out   [count][bands^2], the same array or apart
  *
  * Error   16 eps |in| to 6 bands, 40 eps to 16, for an orthonormal matrix.
- * Source  KSS02, with the exchange of y and z in the place of the turn by 90 degrees: Ry(b) = S Rz(-b) S, one symmetric
- *         table, and no transposed code. */
-SH_API int SHI_FN(sh_rotate)(int bands, const SHI_FN(sh_rotation) *r, size_t count, const SHI_T *in, SHI_T *out)
+ * Source  KSS02, with the exchange S of y and z in the place of the turn by 90 degrees: Ry(b) = S Rz(-b) S,
+ *         one symmetric table, and no transposed code. */
+SH_API int SHI_FN(sh_rotate)(int bands, const SHI_FN(sh_rotation) *r, size_t count, const SHI_T *in,
+                             SHI_T *out)
 {
     const int status = SHI_FN(shi_vectors)(bands, SH_PRODUCT_BANDS, count, in, out);
     if (status) return status;
     if (!r) return SH_ERROR_NULL;
-    SHI_MANY(shi_rotate_all)(bands, 1, SHI_FN(shi_swap), r->angle[0], count, in, out);
+    SHI_MANY(shi_prod_rotate_all)(bands, 1, SHI_FN(shi_swap), r->angle[0], count, in, out);
     return SH_OK;
 }
 
 /* The same for in, out [blocks][bands^2][SH_BLOCK]. */
-SH_API int SHI_FN(sh_rotate_blocks)(int bands, const SHI_FN(sh_rotation) *r, size_t blocks, const SHI_T *in, SHI_T *out)
+SH_API int SHI_FN(sh_rotate_blocks)(int bands, const SHI_FN(sh_rotation) *r, size_t blocks, const SHI_T *in,
+                                    SHI_T *out)
 {
     const size_t count = shi_lanes(blocks);
     const int status = SHI_FN(shi_vectors)(bands, SH_PRODUCT_BANDS, count, in, out);
     if (status) return status;
     if (!r) return SH_ERROR_NULL;
-    SHI_MANY(shi_rotate_all)(bands, 0, SHI_FN(shi_swap), r->angle[0], count, in, out);
+    SHI_MANY(shi_prod_rotate_all)(bands, 0, SHI_FN(shi_swap), r->angle[0], count, in, out);
     return SH_OK;
 }
 
@@ -1528,9 +1559,9 @@ SH_API int SHI_FN(sh_mirror)(int bands, int axis, size_t count, const SHI_T *in,
     return SH_OK;
 }
 
-/* Rename axes: sum out_i Y_i(u') = sum in_i Y_i(u), where u'[k] = +u[|axes[k]|-1], or its negative where axes[k] < 0.
- * { 1, 3, -2 } takes y up to z up. Any of the 48 signed permutations; others are SH_ERROR_OPTION.
- * in, out [count][bands^2]. Error as sh_rotate; exact when z stays on its axis. */
+/* Rename axes: sum out_i Y_i(u') = sum in_i Y_i(u), where u'[k] = +u[|axes[k]|-1], or its negative where
+ * axes[k] < 0. { 1, 3, -2 } takes y up to z up. Any of the 48 signed permutations; others are
+ * SH_ERROR_OPTION. in, out [count][bands^2]. Error as sh_rotate; exact when z stays on its axis. */
 SH_API int SHI_FN(sh_permute_axes)(int bands, const int axes[3], size_t count, const SHI_T *in, SHI_T *out)
 {
     const int status = SHI_FN(shi_vectors)(bands, SH_PRODUCT_BANDS, count, in, out);
@@ -1540,7 +1571,8 @@ SH_API int SHI_FN(sh_permute_axes)(int bands, const int axes[3], size_t count, c
     if (status) return status;
     if (!axes) return SH_ERROR_NULL;
     for (k = 0; k < 3; k++) a[k] = axes[k] < 0 ? -axes[k] - 1 : axes[k] - 1;
-    if ((unsigned)a[0] > 2 || (unsigned)a[1] > 2 || (unsigned)a[2] > 2 || a[0] == a[1] || a[0] == a[2] || a[1] == a[2])
+    if ((unsigned)a[0] > 2 || (unsigned)a[1] > 2 || (unsigned)a[2] > 2
+        || a[0] == a[1] || a[0] == a[2] || a[1] == a[2])
         return SH_ERROR_OPTION;
     /* exchanges of neighbours, applied in order: 0 for x <-> y, 1 for y <-> z */
     if (a[2] == 0) { steps[used++] = 0; steps[used++] = 1; if (a[0] == 2) steps[used++] = 0; }
@@ -1548,7 +1580,7 @@ SH_API int SHI_FN(sh_permute_axes)(int bands, const int axes[3], size_t count, c
     else if (a[0] == 1) steps[used++] = 0;
     if (in != out) memmove(out, in, count * (size_t)(bands * bands) * sizeof *out);
     for (k = 0; k < used; k++)
-        if (steps[k]) SHI_MANY(shi_swap_all)(bands, SHI_FN(shi_swap), count, out, out);
+        if (steps[k]) SHI_MANY(shi_prod_swap_all)(bands, SHI_FN(shi_swap), count, out, out);
         else for (v = 0; v < count; v++)
             for (l = 1; l < bands; l++) {
                 SHI_T *d = out + v * (size_t)(bands * bands) + l * (l + 1);
@@ -1563,24 +1595,29 @@ SH_API int SHI_FN(sh_permute_axes)(int bands, const int axes[3], size_t count, c
     return SH_OK;
 }
 
-/* ---- products -------------------------------------------------------------------------------------------------- */
+/* ---- products ------------------------------------------------------------------------------------------ */
 
-SHI_INLINE int SHI_FN(shi_products)(int na, int nb, int n, size_t count, const SHI_T *a, const SHI_T *b, SHI_T *out)
+SHI_INLINE int SHI_FN(shi_products)(int na, int nb, int n, size_t count, const SHI_T *a, const SHI_T *b,
+                                    SHI_T *out)
 {
-    const int most = na > nb ? (na > n ? na : n) : nb > n ? nb : n, size = most * most, degree = na + nb + n - 3;
+    const int most = na > nb ? (na > n ? na : n) : nb > n ? nb : n;
     SHI_T y[2 * SH_PRODUCT_BANDS * SH_PRODUCT_BANDS * SH_BLOCK], dirs[2 * 3 * SH_BLOCK];
     size_t v, bytes;
-    int pairs = 4, first = 0, i;
+    int pairs = 4, first = 0, size, i;
 
     if (count && (!a || !b || !out)) return SH_ERROR_NULL;
     if (na < 1 || nb < 1 || n < 1 || most > SH_PRODUCT_BANDS) return SH_ERROR_BANDS;
+    size = most * most;
     bytes = (size_t)size * sizeof(SHI_T);
     if (count > (size_t)-1 / 2 / bytes) return SH_ERROR_COUNT;
     if (!count) return SH_OK;
     bytes = count * (size_t)(n * n) * sizeof(SHI_T);
     if (shi_clash(out, bytes, a, count * (size_t)(na * na) * sizeof(SHI_T)) ||
         shi_clash(out, bytes, b, count * (size_t)(nb * nb) * sizeof(SHI_T))) return SH_ERROR_OVERLAP;
-    while (4 * pairs - 1 < degree || pairs * SHI_BITS < SH_VECTOR_BYTES * 8) { first += pairs; pairs *= 2; }
+    while (4 * pairs - 1 < na + nb + n - 3 || pairs * SHI_BITS < SH_VECTOR_BYTES * 8) {
+        first += pairs;
+        pairs *= 2;
+    }
     for (i = 0; i < 2 * SH_BLOCK; i++) {
         SHI_T *d = dirs + i / SH_BLOCK * 3 * SH_BLOCK + i % SH_BLOCK;
         const int k = first + (i < pairs ? i : 0);
@@ -1590,17 +1627,19 @@ SHI_INLINE int SHI_FN(shi_products)(int na, int nb, int n, size_t count, const S
     }
     SHI_FN(sh_eval_blocks)(most, pairs > SH_BLOCK ? 2 : 1, dirs, y);
     for (v = 0; v < count; v++)
-        SHI_MANY(shi_triple)(pairs, na, nb, n, size, y, SHI_FN(shi_node_w) + first,
+        SHI_MANY(shi_prod_triple)(pairs, na, nb, n, size, y, SHI_FN(shi_node_w) + first,
                              a + v * (size_t)(na * na), b + v * (size_t)(nb * nb), out + v * (size_t)(n * n));
     return SH_OK;
 }
 
-/* Coefficients of the product of two functions, to bands_out bands; a, b and out have their own numbers of bands.
- * out may be a or b (same bands) or is apart from both. Error 16 eps |a| |b| to 6 bands, 40 eps to 16.
+/* Coefficients of the product of two functions, to bands_out bands; a, b and out have their own numbers of
+ * bands. out may be a or b (same bands) or is apart from both. Error 16 eps |a| |b| to 6 bands, 40 eps to
+ * 16.
  *
- * Source  MP21 Eq. 5, summed over a grid on which it is exact: Gauss nodes in z and Fourier series in azimuth, O(bands^3)
- *         against O(bands^5) of the table of real Gaunt coefficients, and no table. */
-SH_API int SHI_FN(sh_triple_product_bands)(int bands_a, const SHI_T *a, int bands_b, const SHI_T *b, int bands_out, SHI_T *out)
+ * Source  MP21 Eq. 5, summed over a grid on which it is exact: Gauss nodes in z and Fourier series in
+ *         azimuth, O(bands^3) against O(bands^5) of the table of real Gaunt coefficients, and no table. */
+SH_API int SHI_FN(sh_triple_product_bands)(int bands_a, const SHI_T *a, int bands_b, const SHI_T *b,
+                                           int bands_out, SHI_T *out)
 {
     return SHI_FN(shi_products)(bands_a, bands_b, bands_out, 1, a, b, out);
 }
@@ -1617,7 +1656,8 @@ SH_API int SHI_FN(sh_triple_product_n)(int bands, size_t count, const SHI_T *a, 
     return SHI_FN(shi_products)(bands, bands, bands, count, a, b, out);
 }
 
-/* Coefficients of max(0, n.u) f(u), exact for the bands given: the cosine is never cut to a few bands. Normal +z:
+/* Coefficients of max(0, n.u) f(u), exact for the bands given: the cosine is never cut to a few bands.
+ * Normal +z:
  *
  *   coeffs, out   [bands^2], or count of them, or [blocks][bands^2][SH_BLOCK]; the same array or apart
  *
@@ -1626,7 +1666,7 @@ SH_API int SHI_FN(sh_cosine_product_local_n)(int bands, size_t count, const SHI_
 {
     const int status = SHI_FN(shi_vectors)(bands, SH_PRODUCT_BANDS, count, coeffs, out);
     if (status) return status;
-    SHI_MANY(shi_cosine_all)(bands, 1, SHI_FN(shi_swap), SHI_FN(shi_clamp), count, NULL, coeffs, out);
+    SHI_MANY(shi_prod_cosine_all)(bands, 1, SHI_FN(shi_swap), SHI_FN(shi_clamp), count, NULL, coeffs, out);
     return SH_OK;
 }
 
@@ -1640,19 +1680,22 @@ SH_API int SHI_FN(sh_cosine_product_local_blocks)(int bands, size_t blocks, cons
     const size_t count = shi_lanes(blocks);
     const int status = SHI_FN(shi_vectors)(bands, SH_PRODUCT_BANDS, count, coeffs, out);
     if (status) return status;
-    SHI_MANY(shi_cosine_all)(bands, 0, SHI_FN(shi_swap), SHI_FN(shi_clamp), count, NULL, coeffs, out);
+    SHI_MANY(shi_prod_cosine_all)(bands, 0, SHI_FN(shi_swap), SHI_FN(shi_clamp), count, NULL, coeffs, out);
     return SH_OK;
 }
 
-/* The same about any normal, one per vector: [3], [count][3] or [blocks][3][SH_BLOCK], of any length from 1e-18 to 1e18.
- * A zero normal is SH_ERROR_DIRECTION, NaN or Inf in one SH_ERROR_NOT_FINITE: its output is left alone, the others are written.
- * Turns the normal to +z, multiplies, turns back: with MP21's "zxzx" rotation cut to two angles. Error as above. */
-SH_API int SHI_FN(sh_cosine_product_n)(int bands, size_t count, const SHI_T *normals, const SHI_T *coeffs, SHI_T *out)
+/* The same about any normal, one per vector: [3], [count][3] or [blocks][3][SH_BLOCK], of any length from
+ * 1e-18 to 1e18. A zero normal is SH_ERROR_DIRECTION, NaN or Inf in one SH_ERROR_NOT_FINITE: its output is
+ * left alone, the others are written. Turns the normal to +z, multiplies, turns back: with MP21's "zxzx"
+ * rotation cut to two angles. Error as above. */
+SH_API int SHI_FN(sh_cosine_product_n)(int bands, size_t count, const SHI_T *normals, const SHI_T *coeffs,
+                                       SHI_T *out)
 {
     const int status = SHI_FN(shi_vectors)(bands, SH_PRODUCT_BANDS, count, coeffs, out);
     if (status) return status;
     if (count && !normals) return SH_ERROR_NULL;
-    return SHI_MANY(shi_cosine_all)(bands, 1, SHI_FN(shi_swap), SHI_FN(shi_clamp), count, normals, coeffs, out);
+    return SHI_MANY(shi_prod_cosine_all)(bands, 1, SHI_FN(shi_swap), SHI_FN(shi_clamp), count, normals,
+                                         coeffs, out);
 }
 
 SH_API int SHI_FN(sh_cosine_product)(int bands, const SHI_T normal[3], const SHI_T *coeffs, SHI_T *out)
@@ -1660,13 +1703,15 @@ SH_API int SHI_FN(sh_cosine_product)(int bands, const SHI_T normal[3], const SHI
     return SHI_FN(sh_cosine_product_n)(bands, 1, normal, coeffs, out);
 }
 
-SH_API int SHI_FN(sh_cosine_product_blocks)(int bands, size_t blocks, const SHI_T *normals, const SHI_T *coeffs, SHI_T *out)
+SH_API int SHI_FN(sh_cosine_product_blocks)(int bands, size_t blocks, const SHI_T *normals,
+                                            const SHI_T *coeffs, SHI_T *out)
 {
     const size_t count = shi_lanes(blocks);
     const int status = SHI_FN(shi_vectors)(bands, SH_PRODUCT_BANDS, count, coeffs, out);
     if (status) return status;
     if (count && !normals) return SH_ERROR_NULL;
-    return SHI_MANY(shi_cosine_all)(bands, 0, SHI_FN(shi_swap), SHI_FN(shi_clamp), count, normals, coeffs, out);
+    return SHI_MANY(shi_prod_cosine_all)(bands, 0, SHI_FN(shi_swap), SHI_FN(shi_clamp), count, normals,
+                                         coeffs, out);
 }
 
 /* Irradiance from any cosine-weighted product T: the double product is 2 sqrt(pi) T_00 (MP21 Eq. 9). */
@@ -1677,7 +1722,7 @@ SH_API int SHI_FN(sh_diffuse_from_product)(const SHI_T *product, SHI_T *irradian
     return SH_OK;
 }
 
-/* ---- zonal lobes: zh[l] is the coefficient (l, 0) of a function of the angle to +z; bands to 32 --------------------- */
+/* ---- zonal lobes: zh[l] is the coefficient (l, 0) of a function of the angle to +z; bands to 32 -------- */
 
 /* max(0, cos): irradiance when light is convolved with it. */
 SH_API int SHI_FN(sh_zonal_cosine)(int bands, SHI_T *zh)
@@ -1704,10 +1749,11 @@ SH_API int SHI_FN(sh_zonal_phong)(int bands, SHI_T s, SHI_T *zh)
     return SH_OK;
 }
 
-/* GGX: the density of the mirrored direction when microfacet normals are GGX-distributed and the view is along the normal,
- * D(theta/2; alpha)/4, integral 1 over the sphere. alpha = roughness squared, 0 (a mirror: the delta) to 1 (constant);
- * outside is SH_ERROR_OPTION. No table and no fit: the lobe is 1/(p - z)^2 up to scale, whose coefficients are Legendre
- * functions of the second kind. How far it is from GGX at other views: docs/products.md. Error 16 eps zh[0] sqrt(2l+1). */
+/* GGX: the density of the mirrored direction when microfacet normals are GGX-distributed and the view is
+ * along the normal, D(theta/2; alpha)/4, integral 1 over the sphere. alpha = roughness squared, 0 (a
+ * mirror: the delta) to 1 (constant); outside is SH_ERROR_OPTION. No table and no fit: the lobe is 1/(p -
+ * z)^2 up to scale, whose coefficients are Legendre functions of the second kind. How far it is from GGX
+ * at other views: docs/products.md. Error 16 eps zh[0] sqrt(2l+1). */
 SH_API int SHI_FN(sh_zonal_ggx)(int bands, SHI_T alpha, SHI_T *zh)
 {
     double z[SH_MAX_BANDS];
@@ -1720,7 +1766,7 @@ SH_API int SHI_FN(sh_zonal_ggx)(int bands, SHI_T alpha, SHI_T *zh)
     return SH_OK;
 }
 
-/* ---- shading --------------------------------------------------------------------------------------------------- */
+/* ---- shading ------------------------------------------------------------------------------------------- */
 
 /* Multiply band l by factors[l]. in, out [bands^2], the same array or apart; bands to 32. */
 SH_API int SHI_FN(sh_scale_bands)(int bands, const SHI_T *factors, const SHI_T *in, SHI_T *out)
@@ -1734,8 +1780,9 @@ SH_API int SHI_FN(sh_scale_bands)(int bands, const SHI_T *factors, const SHI_T *
     return SH_OK;
 }
 
-/* Convolve with a zonal lobe: out(n) is the integral of lobe(angle(n, u)) f(u). With sh_zonal_cosine: irradiance.
- * in, out [bands^2], the same array or apart; zh [bands]; bands to 32. Error 2 eps of each coefficient. */
+/* Convolve with a zonal lobe: out(n) is the integral of lobe(angle(n, u)) f(u). With sh_zonal_cosine:
+ * irradiance. in, out [bands^2], the same array or apart; zh [bands]; bands to 32. Error 2 eps of each
+ * coefficient. */
 SH_API int SHI_FN(sh_convolve)(int bands, const SHI_T *zh, const SHI_T *in, SHI_T *out)
 {
     SHI_T factors[SH_MAX_BANDS];
@@ -1751,9 +1798,10 @@ SH_API int SHI_FN(sh_convolve)(int bands, const SHI_T *zh, const SHI_T *in, SHI_
  *   normals   [count][3], unit length
  *   out       [count]; divide by pi and multiply by the albedo for the radiance that leaves
  *
- * Bands to 32; to 3 bands a quadratic polynomial in the normal, 12 multiply-adds. Error 16 eps |coeffs| to 6 bands,
- * 40 eps to 16. Source: RH01. */
-SH_API int SHI_FN(sh_diffuse_n)(int bands, const SHI_T *coeffs, size_t count, const SHI_T *normals, SHI_T *irradiance)
+ * Bands to 32; to 3 bands a quadratic polynomial in the normal, 12 multiply-adds. Error 16 eps |coeffs| to
+ * 6 bands, 40 eps to 16. Source: RH01. */
+SH_API int SHI_FN(sh_diffuse_n)(int bands, const SHI_T *coeffs, size_t count, const SHI_T *normals,
+                                SHI_T *irradiance)
 {
     SHI_T zh[SH_MAX_BANDS], c[SH_MAX_BANDS * SH_MAX_BANDS], k[10];
     int l;
@@ -1774,7 +1822,7 @@ SH_API int SHI_FN(sh_diffuse_n)(int bands, const SHI_T *coeffs, size_t count, co
     k[7] = SHI_C(1.0925484305920792) * c[4];
     k[8] = SHI_C(-1.0925484305920792) * c[5];
     k[9] = SHI_C(-1.0925484305920792) * c[7];
-    SHI_MANY(shi_quadratic_all)(k, count, normals, irradiance);
+    SHI_MANY(shi_prod_quadratic_all)(k, count, normals, irradiance);
     return SH_OK;
 }
 
@@ -1783,38 +1831,43 @@ SH_API int SHI_FN(sh_diffuse)(int bands, const SHI_T normal[3], const SHI_T *coe
     return SHI_FN(sh_diffuse_n)(bands, coeffs, 1, normal, irradiance);
 }
 
-/* The product with a cosine cut to zonal_bands (3 holds most of its energy, bands is MP21's full Eq. 10): what others
- * compute, for comparison. sh_cosine_product is both faster and exact. Error as sh_triple_product. */
-SH_API int SHI_FN(sh_cosine_product_zonal)(int bands, int zonal_bands, const SHI_T normal[3], const SHI_T *coeffs, SHI_T *out)
+/* The product with a cosine cut to zonal_bands (3 holds most of its energy, bands is MP21's full Eq. 10):
+ * what others compute, for comparison. sh_cosine_product is both faster and exact. Error as
+ * sh_triple_product. */
+SH_API int SHI_FN(sh_cosine_product_zonal)(int bands, int zonal_bands, const SHI_T normal[3],
+                                           const SHI_T *coeffs, SHI_T *out)
 {
     SHI_T zh[SH_PRODUCT_BANDS], cosine[SH_PRODUCT_BANDS * SH_PRODUCT_BANDS];
     int status;
 
     if (!normal || !coeffs || !out) return SH_ERROR_NULL;
-    if (bands < 1 || bands > SH_PRODUCT_BANDS || zonal_bands < 1 || zonal_bands > SH_PRODUCT_BANDS) return SH_ERROR_BANDS;
+    if (bands < 1 || bands > SH_PRODUCT_BANDS
+        || zonal_bands < 1 || zonal_bands > SH_PRODUCT_BANDS) return SH_ERROR_BANDS;
     SHI_FN(sh_zonal_cosine)(zonal_bands, zh);
     status = SHI_FN(sh_zonal_rotate)(zonal_bands, zh, normal, cosine);
     if (status) return status;
     return SHI_FN(shi_products)(bands, zonal_bands, bands, 1, coeffs, cosine, out);
 }
 
-/* ---- other systems --------------------------------------------------------------------------------------------- */
+/* ---- other systems ------------------------------------------------------------------------------------- */
 
 /* Our coefficients as another system keeps them, one channel: docs/conventions.md says what each number is.
  *
  *   ours     [bands^2]
  *   theirs   [sh_convention_size(convention, bands)], apart from ours
  *
- * Exact where the systems differ in order, sign and axes; else each number is within eps/2, and there and back within eps. */
+ * Exact where the systems differ in order, sign and axes; else each number is within eps/2, and there and
+ * back within eps. */
 SH_API int SHI_FN(sh_convert_to)(int convention, int bands, const SHI_T *ours, SHI_T *theirs)
 {
     const shi_convention *c = shi_find_convention(convention);
-    const int size = sh_convention_size(convention, bands), n = bands * bands;
+    const int size = sh_convention_size(convention, bands);
     int l, m;
 
     if (!ours || !theirs) return SH_ERROR_NULL;
     if (size < 0) return size;
-    if (shi_overlap(ours, (size_t)n * sizeof *ours, theirs, (size_t)size * sizeof *theirs)) return SH_ERROR_OVERLAP;
+    if (shi_overlap(ours, (size_t)(bands * bands) * sizeof *ours, theirs, (size_t)size * sizeof *theirs))
+        return SH_ERROR_OVERLAP;
     memset(theirs, 0, (size_t)size * sizeof *theirs);
     for (l = 0; l < bands; l++)
         for (m = -l; m <= l; m++) {
@@ -1824,7 +1877,10 @@ SH_API int SHI_FN(sh_convert_to)(int convention, int bands, const SHI_T *ours, S
                 const SHI_T flipped = m & 1 ? -v : v;
                 if (m >= 0) { theirs[j] = flipped; theirs[i] = v; }
                 else { theirs[i + 1] = -v; theirs[j + 1] = flipped; }
-            } else theirs[shi_convention_place(c, bands, l, m)] = c->order == SHI_HALF_COMPLEX && m < 0 ? -v : v;
+            } else {
+                const int conjugate = c->order == SHI_HALF_COMPLEX && m < 0;
+                theirs[shi_convention_place(c, bands, l, m)] = conjugate ? -v : v;
+            }
         }
     if (c->order == SHI_PACKED) {               /* SHA xyzw, SHB xyzw, SHC */
         SHI_T t[9];
@@ -1845,13 +1901,14 @@ SH_API int SHI_FN(sh_convert_to)(int convention, int bands, const SHI_T *ours, S
 SH_API int SHI_FN(sh_convert_from)(int convention, int bands, const SHI_T *theirs, SHI_T *ours)
 {
     const shi_convention *c = shi_find_convention(convention);
-    const int size = sh_convention_size(convention, bands), n = bands * bands;
+    const int size = sh_convention_size(convention, bands);
     SHI_T t[9];
     int l, m;
 
     if (!ours || !theirs) return SH_ERROR_NULL;
     if (size < 0) return size;
-    if (shi_overlap(ours, (size_t)n * sizeof *ours, theirs, (size_t)size * sizeof *theirs)) return SH_ERROR_OVERLAP;
+    if (shi_overlap(ours, (size_t)(bands * bands) * sizeof *ours, theirs, (size_t)size * sizeof *theirs))
+        return SH_ERROR_OVERLAP;
     if (c->order == SHI_PACKED) {
         t[3] = theirs[0]; t[1] = theirs[1]; t[2] = theirs[2]; t[6] = theirs[6] / 3; t[0] = theirs[3] + t[6];
         t[4] = theirs[4]; t[5] = theirs[5]; t[7] = theirs[7]; t[8] = theirs[8];
@@ -1866,7 +1923,8 @@ SH_API int SHI_FN(sh_convert_from)(int convention, int bands, const SHI_T *their
     for (l = 0; l < bands; l++)
         for (m = -l; m <= l; m++) {
             const int imaginary = m < 0 && (c->order == SHI_COMPLEX || c->order == SHI_HALF_COMPLEX);
-            SHI_T v = theirs[c->order == SHI_COMPLEX && m < 0 ? 2 * (l * (l + 1) - m) + 1 : shi_convention_place(c, bands, l, m)];
+            SHI_T v = theirs[c->order == SHI_COMPLEX && m < 0 ? 2 * (l * (l + 1) - m) + 1
+                                                              : shi_convention_place(c, bands, l, m)];
             if (imaginary) v = -v;
             ours[l * (l + 1) + m] = (SHI_T)((double)v / shi_convention_factor(c, l, m));
         }
@@ -1902,17 +1960,18 @@ SH_API int SHI_FN(sh_convert_direction_from)(int convention, const SHI_T theirs[
     return SH_OK;
 }
 
-/* ---- ringing --------------------------------------------------------------------------------------------------- */
+/* ---- ringing ------------------------------------------------------------------------------------------- */
 
-/* Window factors[l] of a width in bands, for sh_scale_bands. SH_HANN, SH_LANCZOS (zero from the width on), SH_GAUSS (the heat
- * kernel of the sphere: the only one of the three that never makes a minimum lower). Another kind, or a width that is not
- * positive, is SH_ERROR_OPTION. Bands to 32. Source: S08. */
+/* Window factors[l] of a width in bands, for sh_scale_bands. SH_HANN, SH_LANCZOS (zero from the width on),
+ * SH_GAUSS (the heat kernel of the sphere: the only one of the three that never makes a minimum lower).
+ * Another kind, or a width that is not positive, is SH_ERROR_OPTION. Bands to 32. Source: S08. */
 SH_API int SHI_FN(sh_window)(int kind, int bands, SHI_T width, SHI_T *factors)
 {
     int l;
     if (!factors) return SH_ERROR_NULL;
     if (bands < 1 || bands > SH_MAX_BANDS) return SH_ERROR_BANDS;
-    if (kind < SH_HANN || kind > SH_GAUSS || !SHI_FN(shi_finite)(&width, 1) || !(width > 0)) return SH_ERROR_OPTION;
+    if (kind < SH_HANN || kind > SH_GAUSS
+        || !SHI_FN(shi_finite)(&width, 1) || !(width > 0)) return SH_ERROR_OPTION;
     for (l = 0; l < bands; l++) factors[l] = (SHI_T)shi_window(kind, (double)width, l);
     return SH_OK;
 }
@@ -1920,14 +1979,16 @@ SH_API int SHI_FN(sh_window)(int kind, int bands, SHI_T width, SHI_T *factors)
 /* Move a unit direction downhill on f = sum c_i Y_i by Newton's method on the sphere; returns f there. */
 SHI_INLINE SHI_T SHI_FN(shi_descend)(int bands, const SHI_T *c, SHI_T u[3])
 {
-    SHI_T y[SH_MAX_BANDS * SH_MAX_BANDS], g[3 * SH_MAX_BANDS * SH_MAX_BANDS], h[6 * SH_MAX_BANDS * SH_MAX_BANDS];
+    SHI_T y[SH_MAX_BANDS * SH_MAX_BANDS], g[3 * SH_MAX_BANDS * SH_MAX_BANDS];
+    SHI_T h[6 * SH_MAX_BANDS * SH_MAX_BANDS];
     const int n = bands * bands;
     double best = 0, v[3];
     int turn, i, k;
 
     for (k = 0; k < 3; k++) v[k] = (double)u[k];
     for (turn = 0; turn < 12; turn++) {
-        double f = 0, grad[3] = { 0, 0, 0 }, hess[6] = { 0, 0, 0, 0, 0, 0 }, e[2][3], a, b, d, ga, gb, det, step, sa, sb, len;
+        double f = 0, grad[3] = { 0, 0, 0 }, hess[6] = { 0, 0, 0, 0, 0, 0 };
+        double e[2][3], a, b, d, ga, gb, det, step, sa, sb, len;
         SHI_T w[3];
         for (k = 0; k < 3; k++) w[k] = (SHI_T)v[k];
         SHI_FN(sh_eval_hessian)(bands, w, y, g, h);
@@ -1943,9 +2004,11 @@ SHI_INLINE SHI_T SHI_FN(shi_descend)(int bands, const SHI_T *c, SHI_T u[3])
         for (i = 0; i < 3; i++) e[0][i] = (i == k) - v[k] * v[i];
         len = sqrt(e[0][0] * e[0][0] + e[0][1] * e[0][1] + e[0][2] * e[0][2]);
         for (i = 0; i < 3; i++) e[0][i] /= len;
-        for (i = 0; i < 3; i++) e[1][i] = v[(i + 1) % 3] * e[0][(i + 2) % 3] - v[(i + 2) % 3] * e[0][(i + 1) % 3];
-#define SHI_FORM(p, q) (p[0] * (hess[0] * q[0] + hess[1] * q[1] + hess[2] * q[2]) + p[1] * (hess[1] * q[0] + hess[3] * q[1] \
-                        + hess[4] * q[2]) + p[2] * (hess[2] * q[0] + hess[4] * q[1] + hess[5] * q[2]))
+        for (i = 0; i < 3; i++)
+            e[1][i] = v[(i + 1) % 3] * e[0][(i + 2) % 3] - v[(i + 2) % 3] * e[0][(i + 1) % 3];
+#define SHI_FORM(p, q) (p[0] * (hess[0] * q[0] + hess[1] * q[1] + hess[2] * q[2]) \
+                      + p[1] * (hess[1] * q[0] + hess[3] * q[1] + hess[4] * q[2]) \
+                      + p[2] * (hess[2] * q[0] + hess[4] * q[1] + hess[5] * q[2]))
         a = SHI_FORM(e[0], e[0]);
         b = SHI_FORM(e[0], e[1]);
         d = SHI_FORM(e[1], e[1]);
@@ -1971,8 +2034,8 @@ SHI_INLINE SHI_T SHI_FN(shi_descend)(int bands, const SHI_T *c, SHI_T u[3])
 }
 
 /* Smallest value of sum c_i Y_i on the sphere, and where. dir [3] and value may be NULL. Bands to 32.
- * Samples 24 bands^2 + 64 points of a spiral, then Newton's method from the eight lowest that are not neighbours: a true local
- * minimum, and the global one unless eight others lie lower at the samples. */
+ * Samples 24 bands^2 + 64 points of a spiral, then Newton's method from the eight lowest that are not
+ * neighbours: a true local minimum, and the global one unless eight others lie lower at the samples. */
 SH_API int SHI_FN(sh_minimum)(int bands, const SHI_T *coeffs, SHI_T *dir, SHI_T *value)
 {
     enum { SHI_STARTS = 8, SHI_CHUNK = 64 };
@@ -1986,7 +2049,8 @@ SH_API int SHI_FN(sh_minimum)(int bands, const SHI_T *coeffs, SHI_T *dir, SHI_T 
     for (first = 0; first < points; first += SHI_CHUNK) {
         const int count = points - first < SHI_CHUNK ? points - first : SHI_CHUNK;
         for (i = 0; i < count; i++) {
-            const double z = 1 - (2 * (first + i) + 1.0) / points, f = 2.399963229728653 * (first + i), s = sqrt(1 - z * z);
+            const double z = 1 - (2 * (first + i) + 1.0) / points, s = sqrt(1 - z * z);
+            const double f = 2.399963229728653 * (first + i);
             dirs[3 * i] = (SHI_T)(s * cos(f));
             dirs[3 * i + 1] = (SHI_T)(s * sin(f));
             dirs[3 * i + 2] = (SHI_T)z;
@@ -2020,7 +2084,8 @@ SH_API int SHI_FN(sh_minimum)(int bands, const SHI_T *coeffs, SHI_T *dir, SHI_T 
 }
 
 /* Do all channels, windowed at 1/inverse_width, stay non-negative? Leaves them in out. */
-SHI_INLINE int SHI_FN(shi_window_suffices)(int kind, int bands, int channels, double inverse_width, const SHI_T *in, SHI_T *out)
+SHI_INLINE int SHI_FN(shi_window_suffices)(int kind, int bands, int channels, double inverse_width,
+                                           const SHI_T *in, SHI_T *out)
 {
     SHI_T factors[SH_MAX_BANDS], lowest;
     int c, l;
@@ -2040,10 +2105,10 @@ SHI_INLINE int SHI_FN(shi_window_suffices)(int kind, int bands, int channels, do
  *   channels   at least 1
  *   width      the width used, or 0 if none was needed; may be NULL
  *
- * The minimum of the result, as sh_minimum finds it, is not negative; at a width 1e-5 larger it is (Hann and Lanczos, whose
- * minimum is not monotonic in the width: the widest in a scan in steps of 1/16 of the inverse width, then refined).
- * A channel whose mean is not positive cannot be mended: SH_ERROR_OPTION, as is an unknown kind. NaN or Inf in the coefficients
- * is SH_ERROR_NOT_FINITE. Bands to 32. */
+ * The minimum of the result, as sh_minimum finds it, is not negative; at a width 1e-5 larger it is (Hann
+ * and Lanczos, whose minimum is not monotonic in the width: the widest in a scan in steps of 1/16 of the
+ * inverse width, then refined). A channel whose mean is not positive cannot be mended: SH_ERROR_OPTION, as
+ * is an unknown kind. NaN or Inf in the coefficients is SH_ERROR_NOT_FINITE. Bands to 32. */
 SH_API int SHI_FN(sh_dering)(int kind, int bands, int channels, const SHI_T *in, SHI_T *out, SHI_T *width)
 {
     double low = 0, high;
@@ -2068,13 +2133,15 @@ SH_API int SHI_FN(sh_dering)(int kind, int bands, int channels, const SHI_T *in,
         if (width) *width = 0;
         return SH_OK;
     }
-    for (high = 1.0 / 16; !SHI_FN(shi_window_suffices)(kind, bands, channels, high, in, out); high += high < 1 ? 1.0 / 16 : high) {
+    for (high = 1.0 / 16; !SHI_FN(shi_window_suffices)(kind, bands, channels, high, in, out);
+         high += high < 1 ? 1.0 / 16 : high) {
         low = high;
         if (high > 64) return SH_ERROR_NOT_FINITE;          /* the range of the numbers is exceeded */
     }
     for (k = 0; k < 40 && high - low > 1e-6 * high; k++) {
         const double middle = 0.5 * (low + high);
-        if (SHI_FN(shi_window_suffices)(kind, bands, channels, middle, in, out)) high = middle; else low = middle;
+        if (SHI_FN(shi_window_suffices)(kind, bands, channels, middle, in, out)) high = middle;
+        else low = middle;
     }
     SHI_FN(shi_window_suffices)(kind, bands, channels, high, in, out);
     if (width) *width = (SHI_T)(1 / high);
