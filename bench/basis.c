@@ -1,10 +1,10 @@
 /* basis.c - suite `basis`: values, derivatives, reconstruction and projection (what M22 Table 1 compares). */
+#include "sh_gradient.h"     /* first: names of ours must not reach it */
+
 #include "basis.h"
 
 #include <math.h>
 #include <string.h>
-
-#include "sh_gradient.h"
 
 enum { OUTPUT_BYTES = 20480 };
 

@@ -1,9 +1,9 @@
 /* interp.c - suite `interp`: lighting at many points from an 8x8x8 grid, by scheme (M22 Table 5). */
+#include "sh_interp.h"     /* first: names of ours must not reach it */
+
 #include "bench.h"
 
 #include <string.h>
-
-#include "sh_interp.h"
 
 enum { SIDE = 8, NODES = SIDE * SIDE * SIDE, CHANNELS = 3, POINTS = 256, LIGHTS = 24 };
 

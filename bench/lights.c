@@ -1,5 +1,7 @@
 /* lights.c - suites `lights` (many sphere lights at one point) and `grid`, `grid_lights`, `grid_nodes` (over grids:
  * M22 Table 2, Fig. 10, 13, 14). */
+#include "sh_gradient.h"     /* first: names of ours must not reach it */
+
 #include "lights.h"
 
 #include <math.h>
@@ -9,8 +11,6 @@
 #if defined(_OPENMP)
 #  include <omp.h>
 #endif
-
-#include "sh_gradient.h"
 
 enum { LIGHTS = 648, GRID_SIDE = 8 };
 

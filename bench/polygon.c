@@ -1,11 +1,11 @@
 /* polygon.c - suites `polygon` (triangles), `polygon4`, `polygon8`: one polygon light seen from many points
  * (WR18 Table 2). */
+#include "sh_polygon.h"     /* first: names of ours must not reach it */
+
 #include "polygon.h"
 
 #include <math.h>
 #include <string.h>
-
-#include "sh_polygon.h"
 
 enum { POINTS = 64 };
 

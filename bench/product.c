@@ -1,10 +1,10 @@
 /* product.c - suite `product`: lighting times the clamped cosine (MP21 Table 2). */
+#include "sh_product.h"     /* first: names of ours must not reach it */
+
 #include "product.h"
 
 #include <math.h>
 #include <string.h>
-
-#include "sh_product.h"
 
 #define PER_VECTOR(name, body)                                                      \
     static void name(const bench_case *self)                                        \

@@ -1,11 +1,11 @@
 /* stream.c - suite `stream`: the basis at 5 bands written to arrays that fit L2 and that fit no cache, beside the
  * fused calls that store nothing. Large arrays cost what memory costs, whoever computes. */
+#include "sh_gradient.h"     /* first: names of ours must not reach it */
+
 #include "bench.h"
 
 #include <math.h>
 #include <string.h>
-
-#include "sh_gradient.h"
 
 #include "sloan.h"
 
