@@ -345,6 +345,7 @@ SHI_INLINE int shi_overlap(const void *a, size_t a_bytes, const void *b, size_t 
 #define SHI_ABS(v)      SHI_KN(shi_abs)(v)
 #define SHI_SUM(v)      SHI_KN(shi_sum)(v)
 #define SHI_ANY(m)      SHI_KN(shi_any)(m)
+#define SHI_KEEP(v)     SHI_KN(shi_keep)(v)
 #define SHI_BITS_OF(v)  SHI_KN(shi_bits)(v)
 #if SHI_LANES == 1
 #  define SHI_SELECT(m, a, b) ((m) ? (a) : (b))
@@ -370,6 +371,7 @@ SHI_INLINE int shi_overlap(const void *a, size_t a_bytes, const void *b, size_t 
 #undef SHI_ABS
 #undef SHI_SUM
 #undef SHI_ANY
+#undef SHI_KEEP
 #undef SHI_BITS_OF
 #undef SHI_SELECT
 #undef  SHI_ROOM
@@ -405,9 +407,15 @@ SHI_KERNEL SHI_V SHI_ABS(SHI_V v)                  { return SHI_LIBM(fabs)(v); }
 SHI_KERNEL SHI_V SHI_RSQRT(SHI_V v)                { return SHI_C(1) / SHI_LIBM(sqrt)(v); }
 SHI_KERNEL SHI_T SHI_SUM(SHI_V v)                  { return v; }
 SHI_KERNEL int   SHI_ANY(SHI_M m)                  { return m != 0; }
+SHI_KERNEL SHI_V SHI_KEEP(SHI_V v)                 { return v; }
 #else
 SHI_KERNEL SHI_V SHI_SPLAT(SHI_T s)                { SHI_V v; memset(&v, 0, sizeof v); return s - v; }
-SHI_KERNEL SHI_V SHI_ABS(SHI_V v)                  { const SHI_V z = v - v; return SHI_SELECT(v < z, z - v, v); }
+SHI_KERNEL SHI_V SHI_ABS(SHI_V v)
+{
+    const SHI_M m = SHI_BITS_OF(v) & (SHI_I)(((unsigned long long)1 << (SHI_BITS - 1)) - 1);
+    memcpy(&v, &m, sizeof v);
+    return v;
+}
 /* IEEE square root per lane; a loop of sqrtf stays scalar unless -fno-math-errno (gcc 12, clang 14) */
 SHI_KERNEL SHI_V SHI_SQRT(SHI_V v)
 {
@@ -473,26 +481,40 @@ SHI_KERNEL SHI_T SHI_SUM(SHI_V v)
     return v[0];
 #endif
 }
+/* a lane whose sign bit is set, as in the mask of a comparison that holds */
 SHI_KERNEL int SHI_ANY(SHI_M m)
 {
 #if defined(__AVX__) && SHI_BYTES >= 32
-    __extension__ typedef float half __attribute__((__vector_size__(32)));
+    __extension__ typedef SHI_T half __attribute__((__vector_size__(32)));
     half t[SHI_BYTES / 32];
     memcpy(t, &m, sizeof t);
+#  if SHI_BITS == 32
     return (__builtin_ia32_movmskps256(t[0]) | __builtin_ia32_movmskps256(t[SHI_BYTES / 32 - 1])) != 0;
+#  else
+    return (__builtin_ia32_movmskpd256(t[0]) | __builtin_ia32_movmskpd256(t[SHI_BYTES / 32 - 1])) != 0;
+#  endif
+#elif defined(__SSE2__) && SHI_BYTES == 16 && SHI_BITS == 32
+    return __builtin_ia32_movmskps((SHI_V)m) != 0;
 #elif defined(__SSE2__) && SHI_BYTES == 16
-    __extension__ typedef float quarter __attribute__((__vector_size__(16)));
-    quarter t;
-    memcpy(&t, &m, sizeof t);
-    return __builtin_ia32_movmskps(t) != 0;
+    return __builtin_ia32_movmskpd((SHI_V)m) != 0;
 #else
-    long long t[SHI_BYTES / 8], any = 0;
+    unsigned long long t[SHI_BYTES / 8], any = 0;
     int i;
     memcpy(t, &m, sizeof t);
     SHI_UNROLL
     for (i = 0; i < SHI_BYTES / 8; i++) any |= t[i];
-    return any != 0;
+    return (any & (SHI_BITS == 32 ? 0x8000000080000000u : 0x8000000000000000u)) != 0;
 #endif
+}
+/* v in a register: without it gcc folds one load into every use, and loads are the scarce port in sums */
+SHI_KERNEL SHI_V SHI_KEEP(SHI_V v)
+{
+#if defined(__AVX512F__)
+    __asm__("" : "+v"(v));
+#elif defined(__SSE2__)
+    __asm__("" : "+x"(v));
+#endif
+    return v;
 }
 /* a0 b0 a1 b1 ..., lower and upper half */
 SHI_KERNEL void SHI_KN(shi_zip)(SHI_V a, SHI_V b, SHI_V *lo, SHI_V *hi)
@@ -622,7 +644,11 @@ SHI_KERNEL SHI_M SHI_KN(shi_out_of)(SHI_V v, SHI_T lo, SHI_T hi)
     const SHI_M m = SHI_BITS_OF(v);
     memcpy(&a, &lo, sizeof a);
     memcpy(&b, &hi, sizeof b);
-    return (SHI_M)((m < a) | (m > b));
+#if SHI_LANES == 1
+    return m < a || m > b;
+#else
+    return (m - a) | (b - m);           /* the sign bit is all that SHI_ANY looks at */
+#endif
 }
 SHI_KERNEL int SHI_KN(shi_in_range)(SHI_V v, SHI_T lo, SHI_T hi)
 {
@@ -642,8 +668,7 @@ SHI_KERNEL SHI_V SHI_KN(shi_polish)(const SHI_V v[3], SHI_V u[3])
 /* unit vectors of nearly unit ones; 0 if one is not */
 SHI_KERNEL int SHI_KN(shi_nearly_unit)(const SHI_V v[3], SHI_V u[3])
 {
-    const SHI_V e = SHI_KN(shi_polish)(v, u);
-    return SHI_KN(shi_in_range)(e + SHI_C(1), SHI_C(1) - SHI_NEAR, SHI_C(1) + SHI_NEAR);
+    return SHI_KN(shi_in_range)(SHI_ABS(SHI_KN(shi_polish)(v, u)), 0, SHI_NEAR);
 }
 
 /* unit vectors and 1/length of vectors of any length; 0 if one is out of range */
@@ -1098,7 +1123,7 @@ SHI_KERNEL void SHI_KN(shi_light_weights)(int n, int kinds, const SHI_T point[3]
     const SHI_M close = (SHI_M)(rough < SHI_C(0.5) * r2), dark = (SHI_M)(radius == zero);
     const SHI_V gap = SHI_ANY(close) ? SHI_SELECT(close, SHI_KN(shi_gap)(center, point, radius), rough) : rough;
     const SHI_M inside = (SHI_M)(gap <= zero) & (SHI_M)(radius > zero), none = dark | inside;
-    const SHI_V i = SHI_RSQRT(SHI_SELECT(none, one, r2)), ig = SHI_RSQRT(SHI_SELECT(none, one, gap));
+    const SHI_V i = SHI_RSQRT(SHI_SELECT((SHI_M)(r2 < SHI_MIN2), one, r2)), ig = SHI_RSQRT(SHI_SELECT(none, one, gap));
     const SHI_V s = SHI_SELECT(none, zero, radius * i), s2 = s * s;
     const SHI_V alpha = SHI_SELECT(none, one, (gap * ig) * i), kappa = s2 / (SHI_C(1) + alpha);
     const SHI_V k = SHI_C(6.2831853071795865) * s2, q = s2 * ig, k1 = SHI_C(-6.2831853071795865) * q;
@@ -1158,7 +1183,7 @@ SHI_KERNEL void SHI_KN(shi_light_weights)(int n, int kinds, const SHI_T point[3]
 
 /* `rows` bands of column m, the last one at distance e_last, over the nb vectors of a block: M22's reverse order on a CPU,
  * the sums in registers. sum[rows][kinds][2] */
-SHI_KERNEL void SHI_KN(shi_light_rows)(int rows, int kinds, int e_last, int zonal, int nb, const SHI_T beta[5], const SHI_V *z,
+SHI_KERNEL void SHI_KN(shi_light_rows)(int rows, int kinds, int e_last, int zonal, int nb, const SHI_T beta[4], const SHI_V *z,
                                        const SHI_V *c, const SHI_V *v, const SHI_V *w, int kind_stride, SHI_V *qa, SHI_V *qb,
                                        SHI_V *sum)
 {
@@ -1171,7 +1196,7 @@ SHI_KERNEL void SHI_KN(shi_light_rows)(int rows, int kinds, int e_last, int zona
         b[t] = sum[2 * t + 1];
     }
     for (i = 0; i < nb; i++) {
-        SHI_V qc[5], qs[5], q0 = qa[i], q1 = qb[i];
+        SHI_V qc[4], qs[4], q0 = qa[i], q1 = qb[i];
         const SHI_V zi = z[i], ci = c[i], si = v[i];
         SHI_UNROLL
         for (t = 0; t < rows; t++) {
@@ -1193,7 +1218,7 @@ SHI_KERNEL void SHI_KN(shi_light_rows)(int rows, int kinds, int e_last, int zona
         for (t = 0; t < slots; t++) {
             const int r = t / kinds, k = t % kinds;
             if (kinds > 1 && (SHI_KINDS_AT(e_last - (rows - 1 - r)) >> k & 1u)) {
-                const SHI_V weight = w[k * kind_stride + r * nb + i];
+                const SHI_V weight = SHI_KEEP(w[k * kind_stride + r * nb + i]);
                 a[t] += weight * qc[r];
                 if (!zonal) b[t] += weight * qs[r];
             }
@@ -1213,7 +1238,7 @@ SHI_KERNEL void SHI_KN(shi_light_column)(int n, int kinds, int m, int nb, const 
     const int top = n - 1 + (kinds == 1 ? 0 : kinds == 3 ? 1 : 2);
     const SHI_V *c = pool + m * nb, *v = c + levels * nb, *w = pool + 2 * levels * nb, *z = w + kinds * levels * nb;
     SHI_V qa[SHI_LIGHTS_AT_ONCE], qb[SHI_LIGHTS_AT_ONCE];
-    SHI_T beta[5];
+    SHI_T beta[4];
     int j = m, i, rows;
     for (i = 0; i < nb; i++) {
         qa[i] = SHI_SPLAT(0);
@@ -1234,7 +1259,7 @@ SHI_KERNEL void SHI_KN(shi_light_column)(int n, int kinds, int m, int nb, const 
             else SHI_GROUP(1, 0);
         } else if (kinds == 3 && plenty) {
             if (left > 5) SHI_GROUP(4, -2);
-            else if (left == 5) SHI_GROUP(5, 1);
+            else if (left == 5) SHI_GROUP(4, 0);
             else if (left == 4) SHI_GROUP(4, 1);
             else if (left == 3) SHI_GROUP(3, 1);
             else if (left == 2) SHI_GROUP(2, 1);
