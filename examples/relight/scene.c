@@ -120,17 +120,18 @@ void scene_add_lamp(scene *s, const vec3 *corner, int corners, vec3 radiance)
     }
 }
 
-/* A concave polygon of 22 sides. */
+/* A concave polygon of 30 sides: two arcs from horn to horn. Dim, because in its plane, where one side gives way to the
+ * other, the light of a polygon has a kink that no grid can follow. */
 void scene_add_moon(scene *s)
 {
     const vec3 middle = vec(2.6f, 2.2f, 4.2f);
-    vec3 corner[22];
+    vec3 corner[30];
     int i;
 
-    for (i = 0; i < 12; i++) {
-        const float a = 2.2f * ((float)i / 5.5f - 1), x = 0.85f * cosf(a), z = 0.85f * sinf(a);
+    for (i = 0; i < 16; i++) {
+        const float a = 2.2f * ((float)i / 7.5f - 1), x = 0.85f * cosf(a), z = 0.85f * sinf(a);
         corner[i] = add(middle, vec(x, 0, z));
-        if (i > 0 && i < 11) corner[22 - i] = add(middle, vec(x - 0.5f * (x + 0.5f), 0, 0.85f * z));
+        if (i > 0 && i < 15) corner[30 - i] = add(middle, vec(0.5f * x - 0.25f, 0, 0.85f * z));
     }
-    scene_add_lamp(s, corner, 22, vec(0.55f, 1.6f, 2.1f));
+    scene_add_lamp(s, corner, 30, vec(0.25f, 0.65f, 0.85f));
 }
