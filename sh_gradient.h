@@ -1592,24 +1592,33 @@ SHI_KERNEL void SHI_BN(shi_hessian)(int n, int single, const SHI_V u[3], SHI_V i
 SHI_KERNEL int SHI_BN(shi_blocks)(int n, int planes, size_t blocks, const SHI_T *dirs, SHI_T *y, size_t yn,
                                   int ys, SHI_T *g, size_t gn, int gs, SHI_T *h, size_t hn, int hs)
 {
-    int status = SH_OK, i, k;
-    size_t b;
-    for (b = 0; b < blocks; b++, dirs += 3 * SH_BLOCK) {
-        SHI_T *const yb = y + b * yn, *const gb = g + b * gn, *const hb = h + b * hn;
-        for (i = 0; i < SH_BLOCK; i += SHI_W) {
-            const int yi = ys ? i : 0, gi = gs ? i : 0, hi = hs ? i : 0;
-            SHI_V v[3], u[3], inverse;
-            for (k = 0; k < 3; k++) v[k] = SHI_LOAD(dirs + k * SH_BLOCK + i);
-            if (planes == SH_VALUES && SHI_KN(shi_nearly_unit)(v, u)) inverse = u[0];
-            else if (!SHI_KN(shi_unit)(v, u, &inverse)) {
-                const int bad = SHI_FN(shi_one_by_one)(n, planes, SHI_W, dirs + i, SH_BLOCK, 1, yb + yi, ys, ys != 0,
-                                                       gb + gi, gs, gs != 0, hb + hi, hs, hs != 0);
+    enum { VECTORS = SH_BLOCK / SHI_W, AHEAD = 8 * VECTORS };      /* unit vectors first: their long latency overlaps */
+    SHI_V ahead[AHEAD][4];
+    int valid[AHEAD], status = SH_OK, k;
+    size_t at, first, count;
+    for (first = 0; first < blocks * VECTORS; first += count) {
+        count = blocks * VECTORS - first < AHEAD ? blocks * VECTORS - first : AHEAD;
+        for (at = 0; at < count; at++) {
+            const SHI_T *const d = dirs + (first + at) / VECTORS * (3 * SH_BLOCK) + (first + at) % VECTORS * SHI_W;
+            SHI_V v[3];
+            for (k = 0; k < 3; k++) v[k] = SHI_LOAD(d + k * SH_BLOCK);
+            valid[at] = (planes == SH_VALUES && SHI_KN(shi_nearly_unit)(v, ahead[at])) || SHI_KN(shi_unit)(v, ahead[at], &ahead[at][3]);
+        }
+        for (at = 0; at < count; at++) {
+            const size_t b = (first + at) / VECTORS, lane = (first + at) % VECTORS * SHI_W;
+            SHI_T *const yb = y + b * yn + (ys ? lane : 0), *const gb = g + b * gn + (gs ? lane : 0);
+            SHI_T *const hb = h + b * hn + (hs ? lane : 0);
+            if (!valid[at]) {
+                const int bad = SHI_FN(shi_one_by_one)(n, planes, SHI_W, dirs + b * (3 * SH_BLOCK) + lane, SH_BLOCK, 1, yb, ys, ys != 0,
+                                                       gb, gs, gs != 0, hb, hs, hs != 0);
                 status = bad ? bad : status;
-                continue;
+            } else if (planes == SH_VALUES) {
+                SHI_BN(shi_values)(n, 0, ahead[at], yb, ys);
+            } else if (planes == SH_GRADIENT) {
+                SHI_BN(shi_gradient)(n, 0, ahead[at], ahead[at][3], yb, ys, gb, gs);
+            } else {
+                SHI_BN(shi_hessian)(n, 0, ahead[at], ahead[at][3], yb, ys, gb, gs, hb, hs);
             }
-            if (planes == SH_VALUES) SHI_BN(shi_values)(n, 0, u, yb + yi, ys);
-            else if (planes == SH_GRADIENT) SHI_BN(shi_gradient)(n, 0, u, inverse, yb + yi, ys, gb + gi, gs);
-            else SHI_BN(shi_hessian)(n, 0, u, inverse, yb + yi, ys, gb + gi, gs, hb + hi, hs);
         }
     }
     return status;
