@@ -152,23 +152,23 @@ void passes_open(const stage *s)
     glGenBuffers(BUFFERS, buffer);
     glCreateTextures(GL_TEXTURE_BUFFER, BUFFERS, texels);
     glGenQueries(PASSES, query);
-    glGenVertexArrays(1, &arrays);
-    glGenVertexArrays(1, &letter_array);
-    glGenBuffers(1, &vertices);
-    glGenBuffers(1, &letters);
-    glBindVertexArray(arrays);
-    glBindBuffer(GL_ARRAY_BUFFER, vertices);
-    glBufferData(GL_ARRAY_BUFFER, (GLsizeiptr)(7 * (size_t)s->vertices * sizeof(float)), s->vertex, GL_STATIC_DRAW);
-    for (i = 0; i < 3; i++) {
-        glVertexAttribPointer((GLuint)i, i < 2 ? 3 : 1, GL_FLOAT, GL_FALSE, 7 * sizeof(float), (const char *)NULL + 3 * i * (int)sizeof(float));
-        glEnableVertexAttribArray((GLuint)i);
+    glCreateBuffers(1, &vertices);
+    glCreateBuffers(1, &letters);
+    glNamedBufferData(vertices, (GLsizeiptr)(7 * (size_t)s->vertices * sizeof(float)), s->vertex, GL_STATIC_DRAW);
+    glCreateVertexArrays(1, &arrays);
+    glVertexArrayVertexBuffer(arrays, 0, vertices, 0, 7 * sizeof(float));
+    for (i = 0; i < 3; i++) {                               /* position, normal, material */
+        glVertexArrayAttribFormat(arrays, (GLuint)i, i < 2 ? 3 : 1, GL_FLOAT, GL_FALSE, (GLuint)(3 * i) * (GLuint)sizeof(float));
+        glVertexArrayAttribBinding(arrays, (GLuint)i, 0);
+        glEnableVertexArrayAttrib(arrays, (GLuint)i);
     }
     vertex_count = s->vertices;
     turning_count = s->turning;
-    glBindVertexArray(letter_array);
-    glBindBuffer(GL_ARRAY_BUFFER, letters);
-    glVertexAttribPointer(0, 2, GL_FLOAT, GL_FALSE, 2 * sizeof(float), NULL);
-    glEnableVertexAttribArray(0);
+    glCreateVertexArrays(1, &letter_array);
+    glVertexArrayVertexBuffer(letter_array, 0, letters, 0, 2 * sizeof(float));
+    glVertexArrayAttribFormat(letter_array, 0, 2, GL_FLOAT, GL_FALSE, 0);
+    glVertexArrayAttribBinding(letter_array, 0, 0);
+    glEnableVertexArrayAttrib(letter_array, 0);
     send_materials();
 }
 
@@ -470,7 +470,7 @@ void passes_show(const settings *o, int width, int height)
 
 static void letters_or_panel(const float *corner, int corners)
 {
-    glBufferData(GL_ARRAY_BUFFER, (GLsizeiptr)(2 * (size_t)corners * sizeof(float)), corner, GL_STREAM_DRAW);
+    glNamedBufferData(letters, (GLsizeiptr)(2 * (size_t)corners * sizeof(float)), corner, GL_STREAM_DRAW);
     glDrawArrays(GL_TRIANGLES, 0, corners);
 }
 
@@ -497,7 +497,6 @@ void passes_text(const settings *o, float x, float y, float zoom, const char *te
     glEnable(GL_BLEND);
     glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
     glBindVertexArray(letter_array);
-    glBindBuffer(GL_ARRAY_BUFFER, letters);
     set2(p, "size", (float)o->width, (float)o->height);
     set2(p, "at", x, y);
     glUniform1f(at(p, "zoom"), zoom);

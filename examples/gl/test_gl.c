@@ -125,7 +125,6 @@ static void picture(const stage *s, light *now)
         at[i].scheme = scheme[i];
         at[i].nodes = 8;
         at[i].planes = SH_GRADIENT;
-        at[i].source = SPHERES;
     }
     shade(&r, &w, blocked, o.bands, at, 2);
 
