@@ -1592,20 +1592,20 @@ SHI_KERNEL void SHI_BN(shi_hessian)(int n, int single, const SHI_V u[3], SHI_V i
 SHI_KERNEL int SHI_BN(shi_blocks)(int n, int planes, size_t blocks, const SHI_T *dirs, SHI_T *y, size_t yn,
                                   int ys, SHI_T *g, size_t gn, int gs, SHI_T *h, size_t hn, int hs)
 {
-    enum { VECTORS = SH_BLOCK / SHI_W, AHEAD = 8 * VECTORS };      /* unit vectors first: their long latency overlaps */
-    SHI_V ahead[AHEAD][4];
-    int valid[AHEAD], status = SH_OK, k;
+    const size_t vectors = SHI_W < SH_BLOCK ? SH_BLOCK / SHI_W : 1, all = blocks * vectors;
+    SHI_V ahead[8 * SH_BLOCK / SHI_W][4];                       /* unit vectors first: their long latency overlaps */
+    int valid[8 * SH_BLOCK / SHI_W], status = SH_OK, k;
     size_t at, first, count;
-    for (first = 0; first < blocks * VECTORS; first += count) {
-        count = blocks * VECTORS - first < AHEAD ? blocks * VECTORS - first : AHEAD;
+    for (first = 0; first < all; first += count) {
+        count = all - first < 8 * vectors ? all - first : 8 * vectors;
         for (at = 0; at < count; at++) {
-            const SHI_T *const d = dirs + (first + at) / VECTORS * (3 * SH_BLOCK) + (first + at) % VECTORS * SHI_W;
+            const SHI_T *const d = dirs + (first + at) / vectors * (3 * SH_BLOCK) + (first + at) % vectors * SHI_W;
             SHI_V v[3];
             for (k = 0; k < 3; k++) v[k] = SHI_LOAD(d + k * SH_BLOCK);
             valid[at] = (planes == SH_VALUES && SHI_KN(shi_nearly_unit)(v, ahead[at])) || SHI_KN(shi_unit)(v, ahead[at], &ahead[at][3]);
         }
         for (at = 0; at < count; at++) {
-            const size_t b = (first + at) / VECTORS, lane = (first + at) % VECTORS * SHI_W;
+            const size_t b = (first + at) / vectors, lane = (first + at) % vectors * SHI_W;
             SHI_T *const yb = y + b * yn + (ys ? lane : 0), *const gb = g + b * gn + (gs ? lane : 0);
             SHI_T *const hb = h + b * hn + (hs ? lane : 0);
             if (!valid[at]) {
