@@ -986,11 +986,12 @@ SHI_KERNEL void SHI_KN(shi_sum_horner)(int n, int with_grad, const SHI_T *a, con
     const SHI_V z = u[2], t = SHI_KN(shi_polar_t)(u), z2 = z + z;
     SHI_V uv[6];
     int m, parity, sign, k;
+    SHI_KN(shi_power)(0, u, uv);
     SHI_UNROLL
     for (m = 0; m < n; m++) {
         SHI_V ab[2], dab[2];
         ab[0] = ab[1] = dab[0] = dab[1] = SHI_SPLAT(0);
-        SHI_KN(shi_power)(m, u, uv);
+        if (m > 0) SHI_KN(shi_power)(m, u, uv);
         SHI_UNROLL
         for (parity = 0; parity < 2; parity++) {
             if (parity < n - m) {
@@ -1017,13 +1018,14 @@ SHI_KERNEL void SHI_KN(shi_sum_forward)(int n, int with_grad, const SHI_T *a, co
 {
     SHI_V uv[6], polar[3], column[2][SH_MAX_BANDS];
     int l, m;
+    SHI_KN(shi_power)(0, u, uv);
     SHI_KN(shi_polar_any)(u, polar);
     SHI_KN(shi_column_any)(0, n, polar, column[0]);
     for (m = 0; m < n; m++) {
         const SHI_V *const q0 = column[m & 1], *const q1 = column[(m + 1) & 1];
         SHI_V ab[2], dab[2];
         ab[0] = ab[1] = dab[0] = dab[1] = SHI_SPLAT(0);
-        SHI_KN(shi_power)(m, u, uv);
+        if (m > 0) SHI_KN(shi_power)(m, u, uv);
         SHI_KN(shi_column_any)(m + 1, n, polar, column[(m + 1) & 1]);
         for (l = m; l < n; l++) {
             const SHI_V d = l > m ? SHI_FN(shi_slope)[SHI_ROWS(l, m)] * q1[l] : SHI_SPLAT(0);
@@ -1441,10 +1443,11 @@ SHI_KERNEL void SHI_BN(shi_values)(int n, int single, const SHI_V u[3], SHI_T *y
 {
     SHI_V a[3], q[SH_MAX_BANDS], p[6];
     int l, m;
+    SHI_KN(shi_power)(0, u, p);
     SHI_BN(shi_polar)(u, a);
     SHI_LOOP
     for (m = 0; m < n; m++) {
-        SHI_KN(shi_power)(m, u, p);
+        if (m > 0) SHI_KN(shi_power)(m, u, p);
         SHI_BN(shi_column)(m, n, a, q);
         SHI_LOOP
         for (l = m; l < n; l++) {
@@ -1466,6 +1469,7 @@ SHI_KERNEL void SHI_BN(shi_gradient)(int n, int single, const SHI_V u[3], SHI_V 
     SHI_T *const gx = g, *const gy = gx + n * n * stride, *const gz = gy + n * n * stride;
     SHI_V a[3], column[2][SH_MAX_BANDS], p[6], ic = i, is = i;
     int l, m;
+    SHI_KN(shi_power)(0, u, p);
     SHI_BN(shi_polar)(u, a);
     SHI_BN(shi_column)(0, n, a, column[0]);
     SHI_LOOP
@@ -1474,7 +1478,7 @@ SHI_KERNEL void SHI_BN(shi_gradient)(int n, int single, const SHI_V u[3], SHI_V 
         const SHI_V mc = SHI_C(-m) * ic, ms = SHI_C(-m) * is;               /* -m i U_{m-1}, -m i V_{m-1} */
         SHI_V xc, xs, vc, vs;
         SHI_BN(shi_column)(m + 1, n, a, column[(m + 1) & 1]);
-        SHI_KN(shi_power)(m, u, p);
+        if (m > 0) SHI_KN(shi_power)(m, u, p);
         ic = i * p[0];
         is = i * p[1];
         xc = xi * p[0];
