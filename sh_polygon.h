@@ -3607,13 +3607,13 @@ static const double shi_weights_16[7936] = {
 };
 /* END tools/gen_lobes.py */
 
-/* nodes that integrate cos(x t) over [-1,1] to 2e-10, 1e-17 or 1e-8 of its length, for x below the limit */
+/* nodes that integrate cos(x t) over [-1,1] to 2e-10, 1e-17 or 6e-8 of its length, for x below the limit */
 SHI_INLINE int shi_gauss_count(double x, int tight)
 {
     static const double limit[3][16] = {
         { 3.4e-5, 0.015, 0.135, 0.437, 0.932, 1.58, 2.37, 3.29, 4.31, 5.37, 6.55, 7.76, 9.01, 10.2, 11.6, 13.0 },
         { 7e-9, 2.2e-4, 8.1e-3, 0.053, 0.173, 0.388, 0.712, 1.13, 1.67, 2.28, 2.98, 3.75, 4.62, 5.53, 6.49, 7.46 },
-        { 2.4e-4, 0.040, 0.260, 0.712, 1.37, 2.21, 3.16, 4.22, 5.36, 6.61, 7.91, 9.18, 10.5, 12.0, 13.4, 14.8 } };
+        { 5.9e-4, 0.063, 0.347, 0.881, 1.62, 2.56, 3.59, 4.74, 5.89, 7.19, 8.59, 9.87, 11.3, 12.7, 14.3, 15.8 } };
     int k = 1;
     while (k <= 16 && x > limit[tight][k - 1]) k++;
     return k;
@@ -3795,8 +3795,27 @@ SHI_INLINE void SHI_KN(shi_polygon_sums)(int ns, int nt, int groups, const SHI_V
     int g, m, l;
     for (g = 0; g < groups; g += 2, node += 10) {
         const SHI_V x0 = -node[0], y0 = -node[1], z0 = node[2], x1 = -node[5], y1 = -node[6], z1 = node[7];
-        SHI_V c0 = SHI_SPLAT(1), d0 = SHI_SPLAT(0), c1 = c0, d1 = d0;
-        for (m = 0; m < n; m++) {
+        SHI_V c0 = SHI_SPLAT(1), d0 = SHI_SPLAT(0), c1, d1;
+        {   /* m = 0: U = 1, V = 0 */
+            const SHI_T *const beta = SHI_FN(shi_beta);
+            SHI_V q0 = c0, p0 = d0, q1 = c0, p1 = d0, r;
+            for (l = 0; l < n; l++) {
+                const SHI_T k = beta[SHI_ROWS(l + 1, 0)];
+                if (l < ns) s[2 * l] += q0 * node[3] + q1 * node[8];
+                if (l < nt) t[2 * l] += q0 * node[4] + q1 * node[9];
+                r = z0 * q0 - k * p0;
+                p0 = q0;
+                q0 = r;
+                r = z1 * q1 - k * p1;
+                p1 = q1;
+                q1 = r;
+            }
+        }
+        c0 = x0;
+        d0 = y0;
+        c1 = x1;
+        d1 = y1;
+        for (m = 1; m < n; m++) {
             const SHI_V wc0 = node[3] * c0, vc0 = node[4] * c0, wc1 = node[8] * c1, vc1 = node[9] * c1;
             const SHI_V wd0 = node[3] * d0, vd0 = node[4] * d0, wd1 = node[8] * d1, vd1 = node[9] * d1;
             const SHI_T *const beta = SHI_FN(shi_beta);
@@ -3901,36 +3920,67 @@ SHI_INLINE void SHI_KN(shi_polygon_above)(int n, int l, int m, int sine, const S
     }
 }
 
+/* sum over k of d h_lm/dx_k, times (2l-1), with h's degree l-1 basis replaced by the plane k of flux: cosine and sine part */
+SHI_INLINE void SHI_KN(shi_polygon_lower)(int n, int l, int m, const SHI_V *flux, SHI_V f[2])
+{
+    const SHI_V *const x = flux, *const y = flux + n * (n + 1), *const z = y + n * (n + 1);
+    const SHI_V zero = SHI_SPLAT(0);
+    f[0] = f[1] = zero;
+    if (m < l) {
+        const int at = SHI_PACKED(n, l - 1, m);
+        f[0] = SHI_C((l + m) * (l - m)) * z[at];
+        f[1] = SHI_C((l + m) * (l - m)) * z[at + 1];
+    }
+    if (m + 1 < l) {
+        const int at = SHI_PACKED(n, l - 1, m + 1);
+        const SHI_T up = (m ? SHI_C(0.5) : SHI_C(1)) * SHI_C((l - m) * (l - m - 1));
+        f[0] += up * (x[at] + y[at + 1]);
+        f[1] += up * (x[at + 1] - y[at]);
+    }
+    if (m > 0) {
+        const int at = SHI_PACKED(n, l - 1, m - 1);
+        const SHI_T down = SHI_C(0.5) * SHI_C((l + m) * (l + m - 1));
+        f[0] -= down * (m > 1 ? x[at] - y[at + 1] : x[at]);
+        f[1] -= down * (m > 1 ? x[at + 1] + y[at] : y[at]);
+    }
+}
+
 /* out[planes][N] from totals:
  *     L_lm = value + (2l+1)/(l(l+1)) sum_k <x_k Y_lm, Y_{l-1}> flux_k       since mu.grad(r^l Y) is the edge flux of Y
  *     dL/dx_k = slope_k - (l-2) <x_k Y_lm, Y_{l-1}> ray + (l+3) <x_k Y_lm, Y_{l+1}> ray      from grad(Y/r^3)
- * brackets in the monic basis, where they are rational */
-SHI_INLINE void SHI_KN(shi_polygon_finish)(int n, int planes, const SHI_V *totals, SHI_V *out)
+ * brackets in the monic basis, where they are rational. surface = 0: value and ray are not read. */
+SHI_INLINE void SHI_KN(shi_polygon_finish)(int n, int planes, int surface, const SHI_V *totals, SHI_V *out)
 {
     const SHI_V *const flux = totals + SHI_FLUX_AT(n), *const slope = totals + SHI_SLOPE_AT(n), *const ray = totals + SHI_RAY_AT(n);
-    const int size = n * n, step = n * (n - 1);
+    const int size = n * n, step = n * (n + 1);
     int l, m, sine, k;
     for (l = 0; l < n; l++) {
         for (m = 0; m <= l; m++) {
             const SHI_T norm = SHI_FN(shi_norm)[SHI_ROWS(l, m)], both = SHI_C((2 * l - 1) * (2 * l + 1));
+            const int at = SHI_PACKED(n, l, m);
+            SHI_V f[2];
+            if (l > 0) {
+                const SHI_T part = norm / SHI_C(l * (l + 1) * (2 * l - 1));
+                SHI_KN(shi_polygon_lower)(n - 1, l, m, flux, f);
+                f[0] = part * f[0];
+                f[1] = part * f[1];
+            } else {
+                f[0] = f[1] = SHI_SPLAT(0);
+            }
             for (sine = 0; sine <= (m > 0); sine++) {
-                const int i = l * (l + 1) + (sine ? -m : m), at = SHI_PACKED(n, l, m) + sine;
-                SHI_V v = totals[at], b[3], a[3];
-                if (l > 0) {
-                    SHI_V f = SHI_SPLAT(0);
-                    for (k = 0; k < 3; k++) {
-                        SHI_KN(shi_polygon_below)(n - 1, l, m, sine, flux + k * step, b);
-                        f += b[k];
-                    }
-                    v += (SHI_C(1) / SHI_C(l * (l + 1) * (2 * l - 1))) * f;
-                }
-                out[i] = norm * v;
+                const int i = l * (l + 1) + (sine ? -m : m);
+                SHI_V b[3], a[3];
+                out[i] = surface ? f[sine] + norm * totals[at + sine] : f[sine];
                 if (planes < SH_GRADIENT) continue;
+                if (!surface) {
+                    for (k = 0; k < 3; k++) out[(k + 1) * size + i] = norm * slope[k * step + at + sine];
+                    continue;
+                }
                 if (l > 0) SHI_KN(shi_polygon_below)(n + 1, l, m, sine, ray, b);
                 else b[0] = b[1] = b[2] = SHI_SPLAT(0);
                 SHI_KN(shi_polygon_above)(n + 1, l, m, sine, ray, a);
                 for (k = 0; k < 3; k++)
-                    out[(k + 1) * size + i] = norm * (slope[k * n * (n + 1) + at] - (SHI_C(l - 2) / both) * b[k] + SHI_C(l + 3) * a[k]);
+                    out[(k + 1) * size + i] = norm * (slope[k * step + at + sine] - (SHI_C(l - 2) / both) * b[k] + SHI_C(l + 3) * a[k]);
             }
         }
     }
@@ -3995,8 +4045,8 @@ enum { SHI_KN(shi_nodes_at_once) = 32 };
 /* Adds the light of one polygon, times `radiance`, at W points x to totals (SHI_TOTALS) and *omega. Lanes where the point lies
  * in the polygon's plane or on an edge, or where lengths leave the range of T, add nothing and are marked in *hard: for the
  * engine. Small lights: rules over the fan in the plane; others: nodes along the edges. A vector of points that mixes both
- * runs both. work: 2 (n+1)(n+2) vectors. */
-SHI_INLINE void SHI_KN(shi_polygon_block)(int n, int planes, int sides, const SHI_FN(shi_rules) *rules, const SHI_V points[3], size_t count,
+ * runs both. work: 2 (n+1)(n+2) vectors. Returns whether the surface's totals were touched. */
+SHI_INLINE int SHI_KN(shi_polygon_block)(int n, int planes, int sides, const SHI_FN(shi_rules) *rules, const SHI_V points[3], size_t count,
                                           const SHI_T *v, SHI_T radiance, SHI_V *totals, SHI_V *omega, SHI_M *hard, SHI_V *work)
 {
     static const double limits[2][11] = {
@@ -4025,7 +4075,7 @@ SHI_INLINE void SHI_KN(shi_polygon_block)(int n, int planes, int sides, const SH
     bad = (SHI_M)(zero != zero);
     if (!(radius > smallest && radius < biggest)) {
         *hard = SHI_NOT(bad);
-        return;
+        return 0;
     }
     end_on = (SHI_BITS == 32 ? SHI_C(1e-20) : SHI_C(1e-100 * (SHI_BITS == 64))) * radius * radius;
     at_vertex = (SHI_BITS == 32 ? SHI_C(1e-9) : SHI_C(1e-40)) * radius;
@@ -4277,6 +4327,7 @@ SHI_INLINE void SHI_KN(shi_polygon_block)(int n, int planes, int sides, const SH
         }
     }
     *hard = bad;
+    return SHI_ANY(small);
 }
 
 /* ---- WR18: lanes are zonal lobes ---- */
@@ -4776,7 +4827,7 @@ SHI_NOINLINE int shi_polygon_engine(int bands, int sides, int tight, const doubl
             for (l = 0; l < nt * (nt + 1); l++) totals[SHI_RAY_AT(bands) + l] += t[l];
         }
     }
-    SHI_ONE(shi_polygon_finish)(bands, planes, totals, out);
+    SHI_ONE(shi_polygon_finish)(bands, planes, !edges, totals, out);
     if (status == SH_OK) {
         if (edges) out[0] = omega * y00;
         for (i = 0; i < (size_t)size; i++) coeffs[i] = flat ? 0 : sign * out[i];
@@ -5251,18 +5302,18 @@ SHI_INLINE int SHI_FN(shi_polygons_with)(int n, int planes, int channels, int si
             const int pass = channels - c < 3 ? channels - c : 3;
             SHI_MANY(shi_vector) omega[4];
             const SHI_T *v = vertices;
-            int any = 0;
+            int any = 0, surface = 0;
             for (l = 0; l < pass * totals; l++) work[l] = SHI_MANY(shi_splat)(0);
             omega[0] = omega[1] = omega[2] = SHI_MANY(shi_splat)(0);
             for (g = 0; g < polygons; v += 3 * counts[g++]) {
                 SHI_MANY(shi_mask) hard;
                 if (pass == 1) {
-                    SHI_MANY(shi_polygon_block)(n, planes, sides, &rules, xv, (size_t)counts[g], v,
+                    surface |= SHI_MANY(shi_polygon_block)(n, planes, sides, &rules, xv, (size_t)counts[g], v,
                         radiance ? radiance[(size_t)c * polygons + g] : SHI_C(1), work, omega, &hard, sums);
                 } else {
                     for (l = 0; l < totals; l++) scratch[l] = SHI_MANY(shi_splat)(0);
                     omega[3] = SHI_MANY(shi_splat)(0);
-                    SHI_MANY(shi_polygon_block)(n, planes, sides, &rules, xv, (size_t)counts[g], v, SHI_C(1), scratch, omega + 3, &hard, sums);
+                    surface |= SHI_MANY(shi_polygon_block)(n, planes, sides, &rules, xv, (size_t)counts[g], v, SHI_C(1), scratch, omega + 3, &hard, sums);
                     for (k = 0; k < pass; k++) {
                         const SHI_T r = radiance[(size_t)(c + k) * polygons + g];
                         SHI_MANY(shi_vector) *const to = work + k * totals;
@@ -5274,7 +5325,7 @@ SHI_INLINE int SHI_FN(shi_polygons_with)(int n, int planes, int channels, int si
             }
             for (k = 0; k < pass; k++) {
                 SHI_T *const to = out + p * stride + (size_t)(c + k) * row;
-                SHI_MANY(shi_polygon_finish)(n, planes, work + k * totals, results);
+                SHI_MANY(shi_polygon_finish)(n, planes, surface, work + k * totals, results);
                 results[0] += omega[k] * SHI_C(0.28209479177387814347);
                 for (i = 0; i < used; i++)
                     for (l = 0; valid[i] && l < rows; l++)
