@@ -1,17 +1,14 @@
-/* context.c - an OpenGL 4.5 core context: EGL on a device or without a surface, or a GLFW window. */
+/* context.c - an OpenGL 4.5 core context without a window: EGL on a device, hardware first, or without a surface. */
 #include "gl.h"
 
 #include <epoxy/egl.h>
-#define GLFW_INCLUDE_NONE
-#include <GLFW/glfw3.h>
 #include <stdio.h>
 #include <string.h>
 
 static EGLDisplay display = EGL_NO_DISPLAY;
-static int        glfw;
 
 /* What the passes need beyond the version: each said by name when it is missing. */
-static int enough(void)
+int context_enough(void)
 {
     GLint threads = 0, shared = 0;
 
@@ -28,8 +25,6 @@ static int enough(void)
     }
     return 1;
 }
-
-/* ---- without a window ---- */
 
 static int start(EGLDisplay d, char *why, size_t room)
 {
@@ -77,46 +72,21 @@ int context_headless(void)
         for (i = 0; i < devices; i++) {
             const char *e = eglQueryDeviceStringEXT(device[i], EGL_EXTENSIONS);
             if ((e && strstr(e, "EGL_MESA_device_software")) != software) continue;
-            if (start(eglGetPlatformDisplayEXT(EGL_PLATFORM_DEVICE_EXT, device[i], NULL), why, sizeof why) && enough())
+            if (start(eglGetPlatformDisplayEXT(EGL_PLATFORM_DEVICE_EXT, device[i], NULL), why, sizeof why) && context_enough())
                 return 1;
             context_close();
         }
     if (epoxy_has_egl_extension(EGL_NO_DISPLAY, "EGL_MESA_platform_surfaceless") &&
         start(eglGetPlatformDisplayEXT(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, NULL), why, sizeof why))
-        return enough();
+        return context_enough();
     fprintf(stderr, "gl: no headless OpenGL: %s (%d EGL devices tried)\n", why, devices);
     return 0;
 }
 
-/* ---- with one ---- */
-
-static void complain(int code, const char *text) { fprintf(stderr, "gl: GLFW: %s (0x%x)\n", text, (unsigned)code); }
-
-GLFWwindow *context_window(int width, int height, const char *title)
-{
-    GLFWwindow *w;
-
-    glfwSetErrorCallback(complain);
-    if (!glfwInit()) return NULL;
-    glfw = 1;
-    glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 4);
-    glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 5);
-    glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
-    glfwWindowHint(GLFW_SRGB_CAPABLE, GLFW_FALSE);
-    w = glfwCreateWindow(width, height, title, NULL, NULL);
-    if (!w) return NULL;
-    glfwMakeContextCurrent(w);
-    glfwSwapInterval(1);
-    return enough() ? w : NULL;
-}
-
 void context_close(void)
 {
-    if (display != EGL_NO_DISPLAY) {
-        eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
-        eglTerminate(display);
-        display = EGL_NO_DISPLAY;
-    }
-    if (glfw) glfwTerminate();
-    glfw = 0;
+    if (display == EGL_NO_DISPLAY) return;
+    eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
+    eglTerminate(display);
+    display = EGL_NO_DISPLAY;
 }

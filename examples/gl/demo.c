@@ -404,6 +404,24 @@ static int interactive(options *a, stage *s, GLFWwindow *w)
     return 0;
 }
 
+static void complain(int code, const char *text) { fprintf(stderr, "gl: GLFW: %s (0x%x)\n", text, (unsigned)code); }
+
+static GLFWwindow *open_window(int width, int height)
+{
+    GLFWwindow *w;
+
+    glfwSetErrorCallback(complain);
+    if (!glfwInit()) return NULL;
+    glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 4);
+    glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 5);
+    glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
+    w = glfwCreateWindow(width, height, "spherical harmonics on a grid", NULL, NULL);
+    if (!w) return NULL;
+    glfwMakeContextCurrent(w);
+    glfwSwapInterval(1);
+    return context_enough() ? w : NULL;
+}
+
 int main(int argc, char **argv)
 {
     options a = parse(argc, argv);
@@ -412,8 +430,8 @@ int main(int argc, char **argv)
     light *now;
     int code;
 
-    if (a.window ? !(w = context_window(a.o.width, a.o.height, "spherical harmonics on a grid")) : !context_headless()) {
-        context_close();
+    if (a.window ? !(w = open_window(a.o.width, a.o.height)) : !context_headless()) {
+        if (a.window) glfwTerminate();
         return MISSING;
     }
     stage_build(&s, a.lights, a.quick);
@@ -428,6 +446,7 @@ int main(int argc, char **argv)
         free(now);
     }
     passes_close();
+    if (w) glfwTerminate();
     context_close();
     stage_free(&s);
     return code;

@@ -1,10 +1,10 @@
 /* gl.h - the rooms of the GL example, and what they hand each other.
  *
- *     context.c   an OpenGL 4.5 context: EGL without a window, or GLFW
+ *     context.c   an OpenGL 4.5 context without a window, by EGL
  *     stage.c     the relight example's scene as buffers: mesh, lights, materials      -> stage
  *     passes.c    shaders and buffers; grid, surfaces, occlusion, shading, picture     -> frame
  *     check.c     the same by the C headers                                             -> agreement
- *     demo.c      make gl-demo: a picture and figures, or a window
+ *     demo.c      make gl-demo: a picture and figures; or, by GLFW, a window
  *     bench.c     make gl-bench: M22's Tables 2, 3 and 5
  */
 #ifndef GL_EXAMPLE_H
@@ -17,10 +17,9 @@
 extern const char *program_name;                            /* of demo.c and the others, for messages */
 enum { MISSING = 77 };                                      /* exit code without a usable OpenGL */
 
-/* context.c ---- 0 or NULL without a usable OpenGL, after a message that says what is missing */
-typedef struct GLFWwindow GLFWwindow;
+/* context.c ---- 0 without a usable OpenGL, after a message that says what is missing */
 int  context_headless(void);
-GLFWwindow *context_window(int width, int height, const char *title);
+int  context_enough(void);                                  /* whether the current context will do */
 void context_close(void);
 
 /* stage.c ---- */

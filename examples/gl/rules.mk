@@ -2,6 +2,7 @@
 # (Debian: libepoxy-dev libglfw3-dev libstb-dev, for the tests also glslang-tools xvfb); without them nothing is built.
 GL_DIR     := examples/gl
 GL_LIBS    := $(shell pkg-config --libs epoxy glfw3 2>/dev/null)
+GL_EPOXY   := $(shell pkg-config --libs epoxy 2>/dev/null)
 GL_SHADERS := $(addprefix $(GL_DIR)/,sh.glsl polygon.glsl grid.comp surface.vert surface.frag occlusion.frag shade.frag \
                 final.frag whole.vert text.vert text.frag)
 GL_ROOMS   := context passes stage check
@@ -32,10 +33,10 @@ $(BUILD)/gl/relight-%.o: examples/relight/%.c examples/relight/relight.h $(wildc
 $(BUILD)/gl-demo: $(BUILD)/gl/demo.o $(GL_OBJECTS)
 	$(CC) $(CFLAGS) $^ $(LDFLAGS) $(GL_LIBS) -lm -o $@
 $(BUILD)/gl-bench: $(BUILD)/gl/bench.o $(GL_OBJECTS)
-	$(CC) $(CFLAGS) $^ $(LDFLAGS) $(GL_LIBS) -lm -o $@
+	$(CC) $(CFLAGS) $^ $(LDFLAGS) $(GL_EPOXY) -lm -o $@
 
 $(BUILD)/test-gl: $(BUILD)/gl/test_gl.o $(GL_OBJECTS) $(BUILD)/gl/relight-trace.o $(BUILD)/gl/relight-shade.o
-	$(CC) $(CFLAGS) $(RELIGHT_OMP) $^ $(LDFLAGS) $(GL_LIBS) -lm -o $@
+	$(CC) $(CFLAGS) $(RELIGHT_OMP) $^ $(LDFLAGS) $(GL_EPOXY) -lm -o $@
 
 test-gl: $(BUILD)/gl-demo $(BUILD)/test-gl
 	@$(GL_DIR)/test.sh $(BUILD)

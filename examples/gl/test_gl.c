@@ -112,13 +112,14 @@ static void picture(const stage *s, light *now)
     method at[2];
     scene r;
     view w;
-    float *blocked;
+    float *blocked, none = 0;
     int i, k;
 
     memset(&r, 0, sizeof r);
     memset(&w, 0, sizeof w);
     memset(at, 0, sizeof at);
     scene_build(&r, NULL, 'y', s->count, 1);
+    r.p.radiance = &none;                                   /* of no polygon lights */
     view_trace(&w, &r, o.width, o.height);
     blocked = need(NULL, (size_t)r.m.vertices * BANDS * BANDS, sizeof *blocked);        /* no shadows here */
     for (i = 0; i < 2; i++) {
