@@ -399,7 +399,7 @@ static void F(route)(void **state)
             const int l = ref_band(k);
             row_check(values, (long double)out[k], (long double)sum[k], 24 * (long double)EPS * ref_M(l) * (2 + perimeter), k);
             for (a = 0; a < 3; a++)
-                row_check(gradient, (long double)out[(a + 1) * n * n + k], (long double)slope[a * n * n + k], 64 * (long double)EPS * ref_M(l) * kappa, (a + 1) * n * n + k);
+                row_check(gradient, (long double)out[(a + 1) * n * n + k], (long double)slope[a * n * n + k], 128 * (long double)EPS * ref_M(l) * kappa, (a + 1) * n * n + k);
         }
     }
     row_close(values);
