@@ -21,6 +21,11 @@ TABLE_CHECKS := check-tables-gradient
 
 include $(sort $(wildcard tests/rules.mk bench/rules.mk tools/rules.mk examples/*/rules.mk))
 
+# the headers on WebAssembly's SIMD, in node
+TEST_TARGETS += test-wasm
+.PHONY: test-wasm
+test-wasm: ; @sh tests/wasm/run.sh $(BUILD)/wasm
+
 all: $(ALL_TARGETS)
 test: $(TEST_TARGETS) check-tables
 check-tables: $(TABLE_CHECKS)

@@ -2099,7 +2099,9 @@ SH_API int SHI_FN(sh_eval_hessian_blocks)(int bands, size_t blocks, const SHI_T 
  * Source: M22 Eq. 17-22 and 30-33 as corrected in docs/architecture.md, sin^{m-1}(theta) kept as a factor. */
 SH_API int SHI_FN(sh_eval_angles)(int bands, SHI_T theta, SHI_T phi, SHI_T *y, SHI_T *dtheta, SHI_T *dphi)
 {
+    const size_t out = (size_t)bands * (size_t)bands * sizeof *y;
     if (bands < 1 || bands > SH_MAX_BANDS) return SH_ERROR_BANDS;
+    if (shi_overlap(y, out, dtheta, out) || shi_overlap(y, out, dphi, out) || shi_overlap(dtheta, out, dphi, out)) return SH_ERROR_OVERLAP;
     return SHI_ONE(shi_angles)(bands, 1, &theta, &phi, y, dtheta, dphi);
 }
 
@@ -2113,7 +2115,8 @@ SH_API int SHI_FN(sh_eval_angles_n)(int bands, size_t count, const SHI_T *theta,
     if (!theta || !phi) return SH_ERROR_NULL;
     if (count > SHI_MOST_ITEMS) return SH_ERROR_COUNT;
     if (shi_overlap(theta, in, y, out) || shi_overlap(theta, in, dtheta, out) || shi_overlap(theta, in, dphi, out)
-        || shi_overlap(phi, in, y, out) || shi_overlap(phi, in, dtheta, out) || shi_overlap(phi, in, dphi, out))
+        || shi_overlap(phi, in, y, out) || shi_overlap(phi, in, dtheta, out) || shi_overlap(phi, in, dphi, out)
+        || shi_overlap(y, out, dtheta, out) || shi_overlap(y, out, dphi, out) || shi_overlap(dtheta, out, dphi, out))
         return SH_ERROR_OVERLAP;
     return size * 3 * SH_VECTOR_BYTES > SHI_STAGE ? SHI_ONE(shi_angles)(bands, count, theta, phi, y, dtheta, dphi)
                                                   : SHI_MANY(shi_angles)(bands, count, theta, phi, y, dtheta, dphi);
@@ -2136,8 +2139,8 @@ SH_API int SHI_FN(sh_reconstruct_n)(int bands, const SHI_T *coeffs, size_t count
     if (!coeffs || !dirs) return SH_ERROR_NULL;
     if (count > SHI_MOST_ITEMS) return SH_ERROR_COUNT;
     if (shi_overlap(dirs, 3 * count * item, values, count * item) || shi_overlap(dirs, 3 * count * item, grads, 3 * count * item)
-        || shi_overlap(coeffs, size * item, values, count * item) || shi_overlap(coeffs, size * item, grads, 3 * count * item))
-        return SH_ERROR_OVERLAP;
+        || shi_overlap(coeffs, size * item, values, count * item) || shi_overlap(coeffs, size * item, grads, 3 * count * item)
+        || shi_overlap(values, count * item, grads, 3 * count * item)) return SH_ERROR_OVERLAP;
     if (bands <= SH_UNROLLED_BANDS) SHI_FN(shi_horner_form)(bands, coeffs, a);
     else SHI_FN(shi_forward_form)(bands, coeffs, a);
     if (grads) return SHI_WIDE(shi_sum_gradient)(bands, a, count, dirs, values, grads);
@@ -2219,6 +2222,7 @@ SH_API int SHI_FN(sh_zonal_cap)(int bands, SHI_T sin_half_angle, SHI_T *zh, SHI_
     const SHI_T s = sin_half_angle, cosine = SHI_LIBM(sqrt)((SHI_C(1) - s) * (SHI_C(1) + s));
     int l;
     if (bands < 1 || bands > SH_MAX_BANDS) return SH_ERROR_BANDS;
+    if (shi_overlap(zh, (size_t)bands * sizeof *zh, dzh, (size_t)bands * sizeof *dzh)) return SH_ERROR_OVERLAP;
     if (!SHI_FN(shi_finite)(&s, 1)) return SH_ERROR_NOT_FINITE;
     if (!(s >= 0 && s <= 1)) return SH_ERROR_RADIUS;
     SHI_FN(shi_cap)(bands, s, cosine, 0, f, f1, f2);

@@ -5,7 +5,7 @@ set -eu
 
 # package, or package:command where any other provider of the command will do
 need="
-    gcc:gcc g++:g++ make:make clang:clang cmake:cmake pkg-config:pkg-config git:git
+    gcc:gcc g++:g++ make:make clang:clang lld:wasm-ld cmake:cmake pkg-config:pkg-config git:git
     libcmocka-dev libgsl-dev libflint-dev libflint-arb-dev
     python3 python3-mpmath python3-numpy python3-scipy
     libpng-dev libstb-dev gnuplot-nox:gnuplot libboost-math-dev
