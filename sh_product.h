@@ -1057,35 +1057,61 @@ SHI_NOINLINE void SHI_KN(shi_prod_swap)(int l, const SHI_T *k, SHI_V *d)
     }
 }
 
-/* Multiply by max(0, z). In column m a row l meets l +- 2, 4, ... through a square of its parity, and l +-
- * 1. */
+/* Multiply by max(0, z) in column m, of s rows l = m, m+1, ...: a row meets the rows of its parity through a
+ * square of k, and its two neighbours; sign picks the cosines or the sines. */
+SHI_KERNEL void SHI_KN(shi_prod_column_of)(const int s, int m, int sign, const SHI_T *k, SHI_V *d)
+{
+    const int even = (SH_PRODUCT_BANDS - m + 1) / 2, odd = (SH_PRODUCT_BANDS - m) / 2;
+    const SHI_T *const k1 = k + even * even, *const e = k1 + odd * odd;
+    SHI_V v[SH_PRODUCT_BANDS], *at = d + (m * (m + 1) + sign * m);
+    int i, j;
+
+    SHI_UNROLL
+    for (i = 0; i < s; at += 2 * (m + i + 1), i++) v[i] = *at;
+    at = d + (m * (m + 1) + sign * m);
+    SHI_UNROLL
+    for (i = 0; i < s; at += 2 * (m + i + 1), i++) {
+        const SHI_T *const row = i & 1 ? k1 + i / 2 * odd : k + i / 2 * even;
+        SHI_V a = row[0] * v[i & 1];
+        SHI_UNROLL
+        for (j = (i & 1) + 2; j < s; j += 2) a += row[j / 2] * v[j];
+        if (i > 0) a += e[i - 1] * v[i - 1];
+        if (i + 1 < s) a += e[i] * v[i + 1];
+        *at = a;
+    }
+}
+
+SHI_NOINLINE void SHI_KN(shi_prod_column)(int s, int m, int sign, const SHI_T *k, SHI_V *d)
+{
+    switch (s) {
+    case 1: SHI_KN(shi_prod_column_of)(1, m, sign, k, d); break;
+    case 2: SHI_KN(shi_prod_column_of)(2, m, sign, k, d); break;
+    case 3: SHI_KN(shi_prod_column_of)(3, m, sign, k, d); break;
+    case 4: SHI_KN(shi_prod_column_of)(4, m, sign, k, d); break;
+    case 5: SHI_KN(shi_prod_column_of)(5, m, sign, k, d); break;
+    case 6: SHI_KN(shi_prod_column_of)(6, m, sign, k, d); break;
+    case 7: SHI_KN(shi_prod_column_of)(7, m, sign, k, d); break;
+    case 8: SHI_KN(shi_prod_column_of)(8, m, sign, k, d); break;
+    case 9: SHI_KN(shi_prod_column_of)(9, m, sign, k, d); break;
+    case 10: SHI_KN(shi_prod_column_of)(10, m, sign, k, d); break;
+    case 11: SHI_KN(shi_prod_column_of)(11, m, sign, k, d); break;
+    case 12: SHI_KN(shi_prod_column_of)(12, m, sign, k, d); break;
+    case 13: SHI_KN(shi_prod_column_of)(13, m, sign, k, d); break;
+    case 14: SHI_KN(shi_prod_column_of)(14, m, sign, k, d); break;
+    case 15: SHI_KN(shi_prod_column_of)(15, m, sign, k, d); break;
+    case 16: SHI_KN(shi_prod_column_of)(16, m, sign, k, d); break;
+    default: break;
+    }
+}
+
 SHI_INLINE void SHI_KN(shi_prod_clamp)(int bands, const SHI_T *k, SHI_V *d)
 {
-    SHI_V p[SH_PRODUCT_BANDS + 1], q[SH_PRODUCT_BANDS + 1], a[SH_PRODUCT_BANDS + 1], b[SH_PRODUCT_BANDS + 1];
-    int m, i;
-
+    int m;
     for (m = 0; m < bands; m++) {
-        const int n = bands - m, even = (SH_PRODUCT_BANDS - m + 1) / 2, odd = (SH_PRODUCT_BANDS - m) / 2;
-        for (i = 0; i < n; i++) {
-            const int at = (m + i) * (m + i + 1);
-            p[i] = d[at + m];
-            q[i] = d[at - m];
-        }
-        SHI_KN(shi_prod_square)((n + 1) / 2, even, k, p, 2, a, 2);
-        SHI_KN(shi_prod_square)((n + 1) / 2, even, k, q, 2, b, 2);
-        k += even * even;
-        SHI_KN(shi_prod_square)(n / 2, odd, k, p + 1, 2, a + 1, 2);
-        SHI_KN(shi_prod_square)(n / 2, odd, k, q + 1, 2, b + 1, 2);
-        k += odd * odd;
-        for (i = 0; i < n; i++) {
-            const int at = (m + i) * (m + i + 1);
-            SHI_V s = a[i], t = b[i];
-            if (i > 0) { s += k[i - 1] * p[i - 1]; t += k[i - 1] * q[i - 1]; }
-            if (i + 1 < n) { s += k[i] * p[i + 1]; t += k[i] * q[i + 1]; }
-            d[at - m] = t;
-            d[at + m] = s;
-        }
-        k += SH_PRODUCT_BANDS - 1 - m;
+        const int even = (SH_PRODUCT_BANDS - m + 1) / 2, odd = (SH_PRODUCT_BANDS - m) / 2;
+        SHI_KN(shi_prod_column)(bands - m, m, 1, k, d);
+        if (m) SHI_KN(shi_prod_column)(bands - m, m, -1, k, d);
+        k += even * even + odd * odd + SH_PRODUCT_BANDS - 1 - m;
     }
 }
 
@@ -1672,7 +1698,11 @@ SH_API int SHI_FN(sh_cosine_product_local_n)(int bands, size_t count, const SHI_
 
 SH_API int SHI_FN(sh_cosine_product_local)(int bands, const SHI_T *coeffs, SHI_T *out)
 {
-    return SHI_FN(sh_cosine_product_local_n)(bands, 1, coeffs, out);
+    const int status = SHI_FN(shi_vectors)(bands, SH_PRODUCT_BANDS, 1, coeffs, out);
+    if (status) return status;
+    if (out != coeffs) memcpy(out, coeffs, (size_t)(bands * bands) * sizeof *out);
+    SHI_ONE(shi_prod_clamp)(bands, SHI_FN(shi_clamp), out);
+    return SH_OK;
 }
 
 SH_API int SHI_FN(sh_cosine_product_local_blocks)(int bands, size_t blocks, const SHI_T *coeffs, SHI_T *out)

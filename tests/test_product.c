@@ -165,7 +165,7 @@ static void F(light)(int bands, int kind, T *c)
         double u[3];
         long double v[3], y[MOST2];
         ref_unit(u);
-        for (i = 0; i < 3; i++) v[i] = u[i];
+        for (i = 0; i < 3; i++) v[i] = (long double)u[i];
         ref_values(bands, v, y);
         for (i = 0; i < n; i++) c[i] = (T)y[i];
     } else for (i = 0; i < n; i++) c[i] = kind == 2 ? (T)0 : (T)ref_between(-1, 1);
@@ -289,7 +289,7 @@ static void F(axes)(void **state)
             double u[3];
             long double v[3], p[3], f;
             ref_unit(u);
-            for (k = 0; k < 3; k++) v[k] = u[k];
+            for (k = 0; k < 3; k++) v[k] = (long double)u[k];
             for (k = 0; k < 3; k++) p[k] = axes[k] < 0 ? -v[-axes[k] - 1] : v[axes[k] - 1];
             ref_values(MOST, v, y);
             f = dot_n(MOST2, lc, y);
