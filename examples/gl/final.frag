@@ -1,8 +1,8 @@
-/* final.frag - from radiance to the picture: glow, exposure, the ACES curve, sRGB; SAMPLES x SAMPLES pixels to one. */
+/* final.frag - from radiance to the picture: glow, exposure, the ACES curve, sRGB; SAMPLES^2 pixels to one. */
 layout(binding = 0) uniform sampler2D shaded;
-layout(binding = 1) uniform sampler2D emitted;          /* with its mipmaps: the wider the glow, the coarser the level */
+layout(binding = 1) uniform sampler2D emitted;          /* with mipmaps: the wider the glow, the coarser */
 layout(binding = 2) uniform sampler2D reference;
-uniform float exposure, scale;                          /* scale > 0: a heat map of scale times the error, in alpha the error */
+uniform float exposure, scale;                          /* scale > 0: a heat map of that times the error */
 
 layout(location = 0) out vec4 colour;
 
@@ -16,7 +16,8 @@ vec3 tone(vec3 x)                                       /* Narkowicz 2015; then 
 vec3 heat(float t)
 {
     t = clamp(t, 0.0, 1.0);
-    return clamp(vec3(2.4 * t - 0.05, 2.0 * t - 0.75, t < 0.5 ? 0.7 * sin(6.2831853 * t) : 3.0 * t - 2.0), 0.0, 1.0);
+    float blue = t < 0.5 ? 0.7 * sin(6.2831853 * t) : 3.0 * t - 2.0;
+    return clamp(vec3(2.4 * t - 0.05, 2.0 * t - 0.75, blue), 0.0, 1.0);
 }
 
 vec3 glow(vec2 uv)
@@ -25,8 +26,8 @@ vec3 glow(vec2 uv)
     for (int level = 2; level < 7; level++)
         for (int k = 0; k < 9; k++) {                   /* a tent over each level hides its texels */
             vec2 d = vec2(k % 3 - 1, k / 3 - 1);
-            vec2 w = 1.0 - 0.5 * abs(d);
-            sum += w.x * w.y / 4.0 * 0.045 * textureLod(emitted, uv + d / vec2(textureSize(emitted, level)), float(level)).rgb;
+            vec2 w = 1.0 - 0.5 * abs(d), at = uv + d / vec2(textureSize(emitted, level));
+            sum += w.x * w.y / 4.0 * 0.045 * textureLod(emitted, at, float(level)).rgb;
         }
     return sum;
 }

@@ -1,19 +1,18 @@
 /* grid.comp - pass 1: coefficients and gradients of all lights at every node of the grid.
  *
- * One work group per node. Its threads are LANES lights by ROWS rows; each sums what its lights give to its row, the
- * lanes are added up at the end. FORM selects what a thread keeps while it walks over the lights:
+ * One work group per node. Its threads are LANES lights by ROWS rows; each sums what its lights give to its
+ * row, and the lanes are added up at the end. FORM selects what a thread keeps while it walks over the lights:
  *
  *     FORWARD   all n^2 coefficients and gradients: ROWS = 1 (M22's "forward")
  *     REVERSE   those of one signed m, m outside the loop over lights: ROWS = 2n-1 (M22's "reverse")
  *     MOMENTS   three sums of plain basis values of one signed m: ROWS = 2n+1. The gradient appears after the
- *               last light, by a small sparse product: d/dx_k [f(d) Y_lm] lies in bands l-1 and l+1, with radial
- *               factors f' + (l+1) f/d and f' - l f/d and coefficients that know nothing of the light.
+ *               last light, by a small sparse product: d/dx_k [f(d) Y_lm] lies in bands l-1 and l+1, with
+ *               radial factors f' + (l+1) f/d and f' - l f/d and coefficients that know nothing of the light.
+ *     LOBES     exact triangles: zonal sums about one fixed axis, ROWS = 2n-1 axes or a few more; weights that
+ *               know nothing of the light turn them into coefficients (WR18, and Wu et al. 2020)
  *
- *     LOBES     exact triangles: zonal sums about one fixed axis, ROWS = 2n-1 axes; weights that know nothing of the
- *               light turn them into coefficients after the last one (WR18, and Wu et al. 2020)
- *
- * With TRIANGLES each sphere stands for a triangle (M22, 4.4): its light is scaled by the cosine to the triangle's
- * normal, whose own gradient adds a term along the normal. */
+ * With TRIANGLES each sphere stands for a triangle (M22, 4.4): its light is scaled by the cosine to the
+ * triangle's normal, whose own gradient adds a term along the normal. */
 #define FORWARD 0
 #define REVERSE 1
 #define MOMENTS 2
@@ -34,7 +33,7 @@ layout(local_size_x = LANES, local_size_y = ROWS) in;
 struct Light { vec4 sphere, radiance, normal, corner[3]; };
 layout(std430, binding = 0) readonly buffer Lights { Light light[]; };
 layout(std430, binding = 1) buffer Nodes { vec4 node[]; };              /* [node][coefficient][channel] */
-layout(std430, binding = 3) readonly buffer Axes { vec4 axis[17]; float axis_weight[]; };   /* [coefficient][axis] */
+layout(std430, binding = 3) readonly buffer Axes { vec4 axis[17]; float axis_weight[]; };   /* [i][axis] */
 uniform int lights;
 uniform ivec3 count;
 uniform vec3 origin, cell;
@@ -45,7 +44,8 @@ vec3 point;
 int row, lane, order;                                                   /* order: m of the row */
 vec2 climb[TOP + 1];                                                    /* from l = |m| + j to l + 1 */
 
-shared vec3 u_of[CHUNK], radiance_of[CHUNK], turn_of[CHUNK];            /* turn: the gradient of the cosine / cosine */
+shared vec3 u_of[CHUNK], radiance_of[CHUNK];
+shared vec3 turn_of[CHUNK];                                             /* gradient of the cosine / cosine */
 shared float distance_of[CHUNK], weight_of[3][SH_BANDS + 1][CHUNK];
 shared vec3 part[ROWS][BATCH][LANES + 1];
 #if FORM == MOMENTS
@@ -79,7 +79,7 @@ void prepare(int slot, Light light)
     radiance_of[slot] = light.radiance.rgb * cosine;
     for (int l = 0; l < SH_BANDS; l++) {
         weight_of[0][l][slot] = g[l];
-#if FORM == MOMENTS                                                     /* stored where the basis is: at l-1 and l+1 */
+#if FORM == MOMENTS                                                     /* at the basis' band: l-1 and l+1 */
         if (l > 0) weight_of[1][l - 1][slot] = dg[l] + float(l + 1) * g[l] / d;
         weight_of[2][l + 1][slot] = dg[l] - float(l) * g[l] / d;
 #else

@@ -92,9 +92,11 @@ static void   set3(GLuint p, const char *name, vec3 v) { glUniform3f(at(p, name)
 
 enum { LIGHTS, NODES, MATERIAL_TABLE, AXES, BUFFERS };
 enum { PLACES, NORMALS, EMITTED, OPEN_RAW, OPEN, SHADED, REFERENCE, SHOWN, TARGETS };
-static GLuint buffer[BUFFERS], texels[BUFFERS], vertices, letters, arrays, letter_array, target[TARGETS], depth, canvas[TARGETS], query[PASSES];
+static GLuint buffer[BUFFERS], texels[BUFFERS], vertices, letters, arrays, letter_array, query[PASSES];
+static GLuint target[TARGETS], canvas[TARGETS], depth;
 static size_t held_nodes;
-static int    held_axes, software, light_count, vertex_count, turning_count, target_width, target_height, target_samples;
+static int    held_axes, software, light_count, vertex_count, turning_count;
+static int    target_width, target_height, target_samples;
 
 static void store(int which, size_t bytes, const void *data)
 {
@@ -158,7 +160,7 @@ void passes_open(const stage *s)
     glCreateVertexArrays(1, &arrays);
     glVertexArrayVertexBuffer(arrays, 0, vertices, 0, 7 * sizeof(float));
     for (i = 0; i < 3; i++) {                               /* position, normal, material */
-        glVertexArrayAttribFormat(arrays, (GLuint)i, i < 2 ? 3 : 1, GL_FLOAT, GL_FALSE, (GLuint)(3 * i) * (GLuint)sizeof(float));
+        glVertexArrayAttribFormat(arrays, (GLuint)i, i < 2 ? 3 : 1, GL_FLOAT, GL_FALSE, 12 * (GLuint)i);
         glVertexArrayAttribBinding(arrays, (GLuint)i, 0);
         glEnableVertexArrayAttrib(arrays, (GLuint)i);
     }
@@ -221,7 +223,8 @@ static void targets(const settings *o)
     glNamedRenderbufferStorage(depth, GL_DEPTH_COMPONENT32F, width, height);
     for (i = 0; i < TARGETS; i++) {
         const GLenum format = i == OPEN || i == OPEN_RAW ? GL_R8 : i == EMITTED ? GL_RGBA16F : GL_RGBA32F;
-        glTextureStorage2D(target[i], i == EMITTED ? levels : 1, format, i == SHOWN ? o->width : width, i == SHOWN ? o->height : height);
+        glTextureStorage2D(target[i], i == EMITTED ? levels : 1, format, i == SHOWN ? o->width : width,
+                           i == SHOWN ? o->height : height);
         glTextureParameteri(target[i], GL_TEXTURE_MIN_FILTER, i == EMITTED ? GL_LINEAR_MIPMAP_NEAREST : GL_NEAREST);
         glTextureParameteri(target[i], GL_TEXTURE_MAG_FILTER, i == EMITTED ? GL_LINEAR : GL_NEAREST);
         glTextureParameteri(target[i], GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
@@ -261,12 +264,13 @@ static void grid(GLuint p, const settings *o, const stage *s)
     const vec3 d = sub(s->high, s->low);
     glUniform3i(at(p, "count"), o->nodes[0], o->nodes[1], o->nodes[2]);
     set3(p, "origin", s->low);
-    set3(p, "cell", vec(d.x / (float)(o->nodes[0] - 1), d.y / (float)(o->nodes[1] - 1), d.z / (float)(o->nodes[2] - 1)));
+    set3(p, "cell", vec(d.x / (float)(o->nodes[0] - 1), d.y / (float)(o->nodes[1] - 1),
+                        d.z / (float)(o->nodes[2] - 1)));
 }
 
 /* ---- the passes ---- */
 
-/* By the GPU's timer queries; by the wall's clock where the renderer is software: llvmpipe's queries do not see compute. */
+/* By the GPU's timer queries; by the wall's clock for software, where queries do not see compute shaders. */
 static double started, clocked[PASSES];
 static int    running;
 
@@ -314,7 +318,9 @@ void pass_grid(const settings *o, const stage *s)
 
     if (bytes != held_nodes) store(NODES, held_nodes = bytes, NULL);
     if (form == LOBES) send_axes(n);
-    p = use(FILES(sh_glsl, polygon_glsl, grid_comp), NULL, "#define SH_BANDS %d\n#define FORM %d\n#define TRIANGLES %d\n#define LANES %d\n#define ROWS %d\n",
+    p = use(FILES(sh_glsl, polygon_glsl, grid_comp), NULL,
+            "#define SH_BANDS %d\n#define FORM %d\n#define TRIANGLES %d\n"
+            "#define LANES %d\n#define ROWS %d\n",
             n, form, o->kind == TRIANGLE_LIGHTS, o->lanes, rows);
     set1(p, "lights", light_count);
     set1(p, "add", 0);
@@ -373,7 +379,8 @@ void pass_shading(const settings *o, const stage *s, const camera *c, int as_ref
 {
     const int pixel = o->scheme == PER_POINT, polygons = pixel && o->kind == POLYGON_LIGHTS;
     const GLuint p = use(FILES(whole_vert), FILES(sh_glsl, polygon_glsl, shade_frag),
-                         "#define SH_BANDS %d\n#define LIGHT_BANDS %d\n#define PER_PIXEL %d\n#define POLYGONS %d\n#define AXES %d\n",
+                         "#define SH_BANDS %d\n#define LIGHT_BANDS %d\n#define PER_PIXEL %d\n"
+                         "#define POLYGONS %d\n#define AXES %d\n",
                          o->lobe_bands, o->bands, pixel, polygons, polygons ? axes(o->bands) : 0);
     if (polygons) send_axes(o->bands);
     begin(SHADING);
@@ -426,7 +433,8 @@ static float *image(int which, int width, int height)
 float *passes_image(const settings *o, int which)
 {
     const int from = which == SURFACES ? PLACES : which == GRID ? NORMALS : which == PICTURE ? SHOWN : SHADED;
-    return image(from, which == PICTURE ? o->width : o->width * o->samples, which == PICTURE ? o->height : o->height * o->samples);
+    const int samples = which == PICTURE ? 1 : o->samples;
+    return image(from, o->width * samples, o->height * samples);
 }
 
 /* The exposure that brings the geometric mean of the surfaces' luminance to a darker middle grey. */
@@ -465,7 +473,8 @@ unsigned char *passes_picture(const settings *o)
 
 void passes_show(const settings *o, int width, int height)
 {
-    glBlitNamedFramebuffer(canvas[SHOWN], 0, 0, 0, o->width, o->height, 0, 0, width, height, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+    glBlitNamedFramebuffer(canvas[SHOWN], 0, 0, 0, o->width, o->height, 0, 0, width, height,
+                           GL_COLOR_BUFFER_BIT, GL_NEAREST);
 }
 
 static void letters_or_panel(const float *corner, int corners)

@@ -1,9 +1,9 @@
-/* polygon.glsl - the light of a triangle about an axis: S_l = integral of P_l(axis . w) over its directions, and the
- * gradient of S_l by the shading point. After sh.glsl; a, b, c are the corners less that point.
+/* polygon.glsl - the light of a triangle about an axis: S_l = integral of P_l(axis . w) over its directions,
+ * and the gradient of S_l by the shading point. After sh.glsl; a, b, c are the corners less that point.
  *
- * Wang and Ramamoorthi 2018 (WR18), in a form that keeps its accuracy: no cross product of unit vectors, -c^2 in place
- * of a^2 + b^2 - 1, bands l >= 1 without the solid angle. The gradient is carried along the boundary. Both lose
- * accuracy as (distance/size)^2, so triangles that look small are integrated by points instead, 7 or 64. */
+ * Wang and Ramamoorthi 2018 (WR18), in a form that keeps its accuracy: no cross product of unit vectors, -c^2
+ * in place of a^2 + b^2 - 1, bands l >= 1 without the solid angle. The gradient is carried along the boundary.
+ * Both lose accuracy as (distance/size)^2: triangles that look small are integrated by 7 or 64 points instead. */
 
 /* BEGIN gen_glsl.py: gauss */
 /* Gauss-Legendre, 8 points on [0, 1] */
@@ -66,10 +66,12 @@ void sh_edge_zonal(vec3 from, vec3 to, vec3 axis, inout float s[SH_BANDS], inout
 }
 
 /* One point of a rule for small triangles; area2 = (b-a) x (c-a). */
-void sh_point_zonal(float weight, vec3 p, vec3 area2, vec3 axis, inout float s[SH_BANDS], inout vec3 grad[SH_BANDS])
+void sh_point_zonal(float weight, vec3 p, vec3 area2, vec3 axis,
+                    inout float s[SH_BANDS], inout vec3 grad[SH_BANDS])
 {
-    float r = inversesqrt(dot(p, p)), t = dot(p, axis) * r, facing = dot(p, area2) * r, k = weight * facing * r * r;
-    vec3 u = p * r, across = (axis - u * t) * (k * r), along = (weight * r * r * r) * (area2 - 3.0 * facing * u);
+    float r = inversesqrt(dot(p, p)), t = dot(p, axis) * r, facing = dot(p, area2) * r;
+    float w = weight * r * r, k = w * facing;
+    vec3 u = p * r, across = (axis - u * t) * (k * r), along = (w * r) * (area2 - 3.0 * facing * u);
     float q = 1.0, q_ = 0.0, dq = 0.0;                          /* P_l(t), P_{l-1}, P'_l */
     for (int l = 0; l < SH_BANDS; l++) {
         s[l] += k * q;
@@ -91,17 +93,18 @@ void sh_triangle_zonal(vec3 a, vec3 b, vec3 c, vec3 axis, out float s[SH_BANDS],
         grad[l] = vec3(0.0);
     }
     if (float(SH_BANDS) * size < 0.7 * length(middle)) {        /* Radon's rule of degree 5 */
-        const float near = 0.470142064, wide = 0.101286507;     /* (6 + sqrt 15)/21, (6 - sqrt 15)/21 */
+        const float near = 0.470142064, wide = 0.101286507;     /* (6 +- sqrt 15)/21 */
+        const float near_weight = 0.0661970764, wide_weight = 0.0629695903;     /* (155 +- sqrt 15)/2400 */
         sh_point_zonal(0.1125, middle, area2, axis, s, grad);
         for (int k = 0; k < 3; k++) {
             vec3 corner = k == 0 ? a : k == 1 ? b : c;
-            sh_point_zonal(0.0661970764, 3.0 * near * middle + (1.0 - 3.0 * near) * corner, area2, axis, s, grad);
-            sh_point_zonal(0.0629695903, 3.0 * wide * middle + (1.0 - 3.0 * wide) * corner, area2, axis, s, grad);
+            sh_point_zonal(near_weight, corner + 3.0 * near * (middle - corner), area2, axis, s, grad);
+            sh_point_zonal(wide_weight, corner + 3.0 * wide * (middle - corner), area2, axis, s, grad);
         }
-    } else if (size < 0.5 * length(middle)) {                   /* Gauss's rule in u and v: a + u (b-a) + uv (c-b) */
+    } else if (size < 0.5 * length(middle)) {                   /* Gauss in u and v at a + u (b-a) + uv (c-b) */
         for (int k = 0; k < 64; k++) {
-            float u = SH_GAUSS_AT[k >> 3], v = SH_GAUSS_AT[k & 7], weight = SH_GAUSS[k >> 3] * SH_GAUSS[k & 7] * u;
-            sh_point_zonal(weight, a + u * ((b - a) + v * (c - b)), area2, axis, s, grad);
+            float u = SH_GAUSS_AT[k >> 3], v = SH_GAUSS_AT[k & 7];
+            sh_point_zonal(u * SH_GAUSS[k >> 3] * SH_GAUSS[k & 7], a + u * ((b - a) + v * (c - b)), area2, axis, s, grad);
         }
     } else {
         float x = length(a), y = length(b), z = length(c);      /* van Oosterom and Strackee 1983 */

@@ -140,7 +140,7 @@ void sh_eval_grad(vec3 v, out float y[SH_N], out vec3 grad[SH_N])
 
 /* A sphere of this radius at this distance: L_lm = g_l Y_lm(direction), dg = dg/ddistance.
  * With s = radius/distance and alpha the cosine of the half-angle: g_0 = 2 pi s^2/(1+alpha),
- * g_l = 2 pi s^2 P'_l(alpha)/(l(l+1)), without the cancellation of M22, Eq. 9. Inside: light from everywhere. */
+ * g_l = 2 pi s^2 P'_l(alpha)/(l(l+1)), without the cancellation of M22, Eq. 9. Inside: light all around. */
 void sh_sphere_weights(float distance, float radius, out float g[SH_BANDS], out float dg[SH_BANDS])
 {
     bool inside = distance <= radius;

@@ -1,9 +1,9 @@
-/* shade.frag - pass 2: the light at a pixel's place, by the grid or by all lights anew, and what leaves its surface.
+/* shade.frag - pass 2: the light at a pixel's place, by the grid or by all lights anew, and what leaves there.
  *
- * The light is an SH vector of LIGHT_BANDS bands per channel. It leaves by two dot products with transfer vectors: the
- * clamped cosine about the normal, and the GGX lobe about the mirror direction, of SH_BANDS bands, cut by the clamped
- * cosine (MP21, Eq. 11: multiplying the lobe instead of the light is the same, once instead of per channel) and
- * divided by what the cut leaves of it, so that all of a white room comes back. */
+ * The light is an SH vector of LIGHT_BANDS bands per channel. It leaves by two dot products with transfer
+ * vectors: the clamped cosine about the normal, and the GGX lobe about the mirror direction, of SH_BANDS bands,
+ * cut by the clamped cosine (MP21, Eq. 11: multiplying the lobe instead of the light is the same, once instead
+ * of per channel) and divided by what the cut leaves of it, so that all of a white room comes back. */
 #define LIGHT_N (LIGHT_BANDS * LIGHT_BANDS)
 
 struct Material { vec3 albedo; float f0, f90, lobe[9]; };
@@ -13,7 +13,7 @@ layout(std430, binding = 3) readonly buffer Axes { vec4 axis[17]; float axis_wei
 layout(binding = 0) uniform sampler2D places;
 layout(binding = 1) uniform sampler2D normals;
 layout(binding = 2) uniform sampler2D occlusion;
-layout(binding = 3) uniform samplerBuffer lights;                       /* [light][6], as struct Light of grid.comp */
+layout(binding = 3) uniform samplerBuffer lights;                       /* [light][6]: struct Light of grid.comp */
 layout(binding = 4) uniform samplerBuffer nodes;                        /* [node][coefficient][channel] */
 uniform int light_count, scheme, terms;                                 /* terms = LIGHT_N, a loop not to unroll */
 uniform ivec3 count;
@@ -40,7 +40,7 @@ void transfers(vec3 normal, vec3 mirror, const in float lobe[9])
 /* Exact triangles: the zonal sum about the normal gives the irradiance, those about the fixed axes the rest. */
 void gather(vec3 point, vec3 normal, out vec3 d, out vec3 g)
 {
-    float s[SH_BANDS], along[AXES * LIGHT_BANDS];                       /* the lobe's transfer, axis by axis and band */
+    float s[SH_BANDS], along[AXES * LIGHT_BANDS];                       /* along: the lobe's transfer */
     vec3 unused[SH_BANDS];
     for (int j = 0; j < AXES; j++)
         for (int l = 0; l < LIGHT_BANDS; l++) {
@@ -57,7 +57,8 @@ void gather(vec3 point, vec3 normal, out vec3 d, out vec3 g)
             float t = 0.0;
             sh_triangle_zonal(a, b, c, j < 0 ? normal : axis[j].xyz, s, unused);
             for (int l = 0; l < LIGHT_BANDS; l++)
-                t += s[l] * (j < 0 ? sh_diffuse_zonal(l) * float(2 * l + 1) / (4.0 * SH_PI) : along[j * LIGHT_BANDS + l]);
+                t += s[l] * (j < 0 ? sh_diffuse_zonal(l) * float(2 * l + 1) / (4.0 * SH_PI)
+                                   : along[j * LIGHT_BANDS + l]);
             if (j < 0) d += t * rgb;
             else g += t * rgb;
         }
@@ -92,7 +93,7 @@ void gather(vec3 point, vec3 normal, out vec3 d, out vec3 g)
     }
 }
 #else
-/* Every scheme is a sum over the cell's corners: eight vec4 weights, then one dot product per corner and channel. */
+/* Every scheme is a sum over the cell's corners: eight weights, then one dot product per corner and channel. */
 void gather(vec3 point, vec3 normal, out vec3 d, out vec3 g)
 {
     vec4 w[8];

@@ -18,7 +18,8 @@ vec3 turned(vec3 v) { return vec3(turn.x * v.x - turn.y * v.y, turn.y * v.x + tu
 vec3 ball(int vertex)
 {
     int quad = vertex / 6, corner = vertex % 6;
-    int i = quad % 12 + (corner == 1 || corner == 2 || corner == 4 ? 1 : 0), j = quad / 12 + (corner > 1 && corner != 3 ? 1 : 0);
+    int i = quad % 12 + (corner == 1 || corner == 2 || corner == 4 ? 1 : 0);
+    int j = quad / 12 + (corner > 1 && corner != 3 ? 1 : 0);
     float a = float(i) * 0.52359878, b = float(j) * 0.39269908;
     return vec3(sin(b) * cos(a), sin(b) * sin(a), cos(b));
 }
@@ -39,5 +40,6 @@ void main()
 #endif
     vec3 v = at - eye;
     float depth = dot(v, ahead), near = 0.05, far = 100.0;
-    gl_Position = vec4(dot(v, right) / view.x, dot(v, up) / view.y, (depth * (far + near) - 2.0 * far * near) / (far - near), depth);
+    float z = (depth * (far + near) - 2.0 * far * near) / (far - near);
+    gl_Position = vec4(dot(v, right) / view.x, dot(v, up) / view.y, z, depth);
 }
