@@ -34,6 +34,7 @@ typedef struct {
 } stage;
 void stage_build(stage *s, int count, int quick);
 void stage_move(const stage *s, int triangles, double time, light *now);    /* where the lights are, as what */
+void stage_lobe(int bands, float alpha, float *lobe);        /* the GGX lobe of a roughness, band by band */
 void stage_free(stage *s);
 
 /* passes.c ---- */

@@ -1,6 +1,5 @@
 /* passes.c - shaders and buffers, and the passes of a frame. */
 #include "sh_polygon.h"
-#include "sh_product.h"
 #include "gl.h"
 #include "gl_shaders.h"                                     /* the shader files as arrays of lines, by rules.mk */
 
@@ -106,11 +105,11 @@ static void store(int which, size_t bytes, const void *data)
     glTextureBuffer(texels[which], GL_RGBA32F, buffer[which]);
 }
 
-/* As struct Material of shade.frag lays it out. The lobe: of the light's L_lm, lobe[l] L_lm Y_lm(mirror) leaves. */
+/* As struct Material of shade.frag lays it out. */
 static void send_materials(void)
 {
     float to[MATERIALS][16];
-    int i, l;
+    int i;
 
     memset(to, 0, sizeof to);
     for (i = 0; i < MATERIALS; i++) {
@@ -118,8 +117,7 @@ static void send_materials(void)
         memcpy(to[i], m->albedo, sizeof m->albedo);
         to[i][3] = m->f0;
         to[i][4] = fmaxf(1 - sqrtf(m->alpha), m->f0);
-        sh_zonal_ggx_f32(MAX_BANDS, m->alpha, to[i] + 5);
-        for (l = 0; l < MAX_BANDS; l++) to[i][5 + l] *= sqrtf(12.5663706f / (float)(2 * l + 1));
+        stage_lobe(MAX_BANDS, m->alpha, to[i] + 5);
     }
     store(MATERIAL_TABLE, sizeof to, to);
 }

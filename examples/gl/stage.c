@@ -1,4 +1,5 @@
 /* stage.c - the relight example's scene as buffers, and how it moves. */
+#include "sh_product.h"
 #include "gl.h"
 
 #include <stdarg.h>
@@ -115,6 +116,14 @@ void stage_move(const stage *s, int triangles, double time, light *now)
         }
         take_for_a_sphere(l);
     }
+}
+
+/* Of the light's L_lm, lobe[l] L_lm Y_lm(mirror) leaves towards the eye. */
+void stage_lobe(int bands, float alpha, float *lobe)
+{
+    int l;
+    sh_zonal_ggx_f32(bands, alpha, lobe);
+    for (l = 0; l < bands; l++) lobe[l] *= sqrtf(12.5663706f / (float)(2 * l + 1));
 }
 
 void stage_free(stage *s)
