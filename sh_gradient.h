@@ -835,33 +835,39 @@ SHI_NOINLINE int SHI_KN(shi_blocks_hessian)(int n, size_t blocks, const SHI_T *d
                                   h ? h : discard, h ? 6 * size : 0, h ? SH_BLOCK : 0);
 }
 
-/* plain layout: blocks on the stack, transposed; stage holds at least one block of all planes */
+/* plain layout: up to 8 blocks on the stack, transposed; stage holds at least one block of all planes */
 SHI_NOINLINE int SHI_KN(shi_plain)(int n, int planes, size_t count, const SHI_T *dirs, SHI_T *y, SHI_T *g, SHI_T *h)
 {
-    const size_t size = (size_t)(n * n);
-    SHI_T stage[SHI_STAGE / sizeof(SHI_T)], v[3][SH_BLOCK];
-    SHI_T *const gb = stage + size * SH_BLOCK, *const hb = gb + 3 * size * SH_BLOCK;
+    const size_t size = (size_t)(n * n), block = size * SH_BLOCK;
+    SHI_T stage[SHI_STAGE / sizeof(SHI_T)], v[8][3][SH_BLOCK];
+    const size_t fit = sizeof stage / (block * (size_t)planes * sizeof(SHI_T)), most = fit < 8 ? fit : 8;
+    SHI_T *const gb = stage + most * block, *const hb = gb + 3 * most * block;
     int status = SH_OK, i, k, bad;
-    size_t p;
-    for (p = 0; p < count; p += SH_BLOCK) {
-        const int lanes = count - p < SH_BLOCK ? (int)(count - p) : SH_BLOCK;
-        for (i = 0; i < SH_BLOCK; i += SHI_W) {
-            const int first = i < lanes ? i : lanes - 1, rest = lanes - first;
-            SHI_V d[3];
-            SHI_KN(shi_load3)(dirs + 3 * (p + (size_t)first), rest < SHI_W ? rest : SHI_W, d);
-            for (k = 0; k < 3; k++) SHI_STORE(v[k] + i, d[k]);
-        }
-        bad = planes == SH_VALUES   ? SHI_KN(shi_blocks_values)(n, 1, v[0], stage)
-            : planes == SH_GRADIENT ? SHI_KN(shi_blocks_gradient)(n, 1, v[0], stage, gb)
-                                    : SHI_KN(shi_blocks_hessian)(n, 1, v[0], stage, gb, hb);
-        if (!bad) {
-            if (y) SHI_KN(shi_scatter)(stage, n * n, y + p * size, size, lanes);
-            if (g) SHI_KN(shi_scatter)(gb, 3 * n * n, g + p * 3 * size, 3 * size, lanes);
-            if (h) SHI_KN(shi_scatter)(hb, 6 * n * n, h + p * 6 * size, 6 * size, lanes);
-        } else {
-            status = SHI_FN(shi_one_by_one)(n, planes, (size_t)lanes, dirs + 3 * p, 1, 3, y ? y + p * size : stage, y != NULL, y ? n * n : 0,
+    size_t p, b, items;
+    for (p = 0; p < count; p += items, dirs += 3 * items) {
+        items = count - p < most * SH_BLOCK ? count - p : most * SH_BLOCK;
+        for (b = 0; b * SH_BLOCK < items; b++)
+            for (i = 0; i < SH_BLOCK; i += SHI_W) {
+                const size_t at = b * SH_BLOCK + (size_t)i, first = at < items ? at : items - 1, rest = items - first;
+                SHI_V d[3];
+                SHI_KN(shi_load3)(dirs + 3 * first, rest < SHI_W ? (int)rest : SHI_W, d);
+                for (k = 0; k < 3; k++) SHI_STORE(v[b][k] + i, d[k]);
+            }
+        bad = planes == SH_VALUES   ? SHI_KN(shi_blocks_values)(n, b, v[0][0], stage)
+            : planes == SH_GRADIENT ? SHI_KN(shi_blocks_gradient)(n, b, v[0][0], stage, gb)
+                                    : SHI_KN(shi_blocks_hessian)(n, b, v[0][0], stage, gb, hb);
+        if (bad) {
+            status = SHI_FN(shi_one_by_one)(n, planes, items, dirs, 1, 3, y ? y + p * size : stage, y != NULL, y ? n * n : 0,
                                             g ? g + p * 3 * size : stage, g != NULL, g ? 3 * n * n : 0,
                                             h ? h + p * 6 * size : stage, h != NULL, h ? 6 * n * n : 0);
+            continue;
+        }
+        for (b = 0; b * SH_BLOCK < items; b++) {
+            const size_t at = p + b * SH_BLOCK;
+            const int lanes = items - b * SH_BLOCK < SH_BLOCK ? (int)(items - b * SH_BLOCK) : SH_BLOCK;
+            if (y) SHI_KN(shi_scatter)(stage + b * block, n * n, y + at * size, size, lanes);
+            if (g) SHI_KN(shi_scatter)(gb + b * 3 * block, 3 * n * n, g + at * 3 * size, 3 * size, lanes);
+            if (h) SHI_KN(shi_scatter)(hb + b * 6 * block, 6 * n * n, h + at * 6 * size, 6 * size, lanes);
         }
     }
     return status;
