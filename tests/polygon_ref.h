@@ -8,6 +8,9 @@
 #define SH_TESTS_POLYGON_REF_H
 
 #include "ref.h"
+#if defined(__clang__)
+#  pragma clang diagnostic ignored "-Wdouble-promotion"       /* double to long double is meant */
+#endif
 #include <math.h>
 #include <string.h>
 

@@ -1,5 +1,8 @@
 /* test_polygon_many.c - sums over polygons, WR18's route and its tables, triangle as sphere, tolerance, textures. */
 #ifndef T
+#if defined(__clang__)
+#  pragma clang diagnostic ignored "-Wdouble-promotion"       /* double to long double is meant */
+#endif
 #include "sh_polygon.h"
 #include "report.h"
 #include "ref.h"
@@ -369,7 +372,7 @@ static void F(route)(void **state)
     (void)state;
     for (i = 0; i < effort(300); i++) {
         T v[36], p[3], out[2048], radiance[4] = { 1, 2, (T)0.5, (T)0.25 };
-        double sum[256], slope[768], scale = 0, c[256], g[768];
+        double sum[256], slope[768], c[256], g[768];
         long double perimeter = 0, kappa = 0;
         int counts[2], j, at = 0, bad = 0;
         n = 1 + i % 16;
@@ -389,7 +392,6 @@ static void F(route)(void **state)
             if (shi_polygon_engine(n, i % 3, 1, pd, (size_t)counts[j], vd, 0, c, g, NULL)) bad = 1;
             for (k = 0; k < n * n; k++) sum[k] += (double)radiance[j] * c[k];
             for (k = 0; k < 3 * n * n; k++) slope[k] += (double)radiance[j] * g[k];
-            scale += fabs(c[0]);
             at += counts[j];
         }
         if (bad) continue;
