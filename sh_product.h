@@ -1063,21 +1063,31 @@ SHI_KERNEL void SHI_KN(shi_prod_column_of)(const int s, int m, int sign, const S
 {
     const int even = (SH_PRODUCT_BANDS - m + 1) / 2, odd = (SH_PRODUCT_BANDS - m) / 2;
     const SHI_T *const k1 = k + even * even, *const e = k1 + odd * odd;
-    SHI_V v[SH_PRODUCT_BANDS], *at = d + (m * (m + 1) + sign * m);
-    int i, j;
+    SHI_V v[SH_PRODUCT_BANDS];
+    int at[SH_PRODUCT_BANDS], i, j;
 
     SHI_UNROLL
-    for (i = 0; i < s; at += 2 * (m + i + 1), i++) v[i] = *at;
-    at = d + (m * (m + 1) + sign * m);
+    for (i = 0; i < s; i++) {
+        at[i] = (m + i) * (m + i + 1) + sign * m;
+        v[i] = d[at[i]];
+    }
     SHI_UNROLL
-    for (i = 0; i < s; at += 2 * (m + i + 1), i++) {
-        const SHI_T *const row = i & 1 ? k1 + i / 2 * odd : k + i / 2 * even;
-        SHI_V a = row[0] * v[i & 1];
+    for (i = 0; i < s; i += 2) {
+        SHI_V a = k[i / 2 * even] * v[0];
         SHI_UNROLL
-        for (j = (i & 1) + 2; j < s; j += 2) a += row[j / 2] * v[j];
+        for (j = 2; j < s; j += 2) a += k[i / 2 * even + j / 2] * v[j];
         if (i > 0) a += e[i - 1] * v[i - 1];
         if (i + 1 < s) a += e[i] * v[i + 1];
-        *at = a;
+        d[at[i]] = a;
+    }
+    SHI_UNROLL
+    for (i = 1; i < s; i += 2) {
+        SHI_V a = k1[i / 2 * odd] * v[1];
+        SHI_UNROLL
+        for (j = 3; j < s; j += 2) a += k1[i / 2 * odd + j / 2] * v[j];
+        a += e[i - 1] * v[i - 1];
+        if (i + 1 < s) a += e[i] * v[i + 1];
+        d[at[i]] = a;
     }
 }
 
@@ -1698,10 +1708,12 @@ SH_API int SHI_FN(sh_cosine_product_local_n)(int bands, size_t count, const SHI_
 
 SH_API int SHI_FN(sh_cosine_product_local)(int bands, const SHI_T *coeffs, SHI_T *out)
 {
+    SHI_T d[SH_PRODUCT_BANDS * SH_PRODUCT_BANDS];   /* gcc 12 warns of 16 bands in a caller's smaller array */
     const int status = SHI_FN(shi_vectors)(bands, SH_PRODUCT_BANDS, 1, coeffs, out);
     if (status) return status;
-    if (out != coeffs) memcpy(out, coeffs, (size_t)(bands * bands) * sizeof *out);
-    SHI_ONE(shi_prod_clamp)(bands, SHI_FN(shi_clamp), out);
+    memcpy(d, coeffs, (size_t)(bands * bands) * sizeof *d);
+    SHI_ONE(shi_prod_clamp)(bands, SHI_FN(shi_clamp), d);
+    memcpy(out, d, (size_t)(bands * bands) * sizeof *d);
     return SH_OK;
 }
 
