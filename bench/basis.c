@@ -166,7 +166,7 @@ static void add(const basis_input *in, const char *kernel, const char *impl, voi
     c.input = in;
     c.lanes = strcmp(impl, "library_blocks") ? 1 : 8;
     c.held = in->chunk;
-    c.tolerance = 400 * REAL_EPS;       /* the directions keep off the poles, where M22's forms lose digits */
+    c.tolerance = 200 * REAL_EPS;       /* the directions keep off the poles, where M22's forms lose digits */
     c.out[0].data = in->y;
     c.out[0].numbers = n2;
     if (!strcmp(kernel, "values")) {
@@ -187,10 +187,12 @@ static void add(const basis_input *in, const char *kernel, const char *impl, voi
     } else {
         c.out[1].data = in->grad;
         c.out[1].numbers = 3 * n2;
+        c.out[1].planes = 3;
         c.bytes = 4 * stored;
         if (!strcmp(kernel, "hessian")) {
             c.out[2].data = in->hess;
             c.out[2].numbers = 6 * n2;
+            c.out[2].planes = 6;
             c.bytes = 10 * stored;
         }
     }

@@ -17,12 +17,14 @@
 
 enum {
     BENCH_OUTPUTS = 3,          /* arrays a case may write */
+    BENCH_PLANES = 10,          /* parts of one of them */
     BENCH_MAX_THREADS = 256
 };
 
 typedef struct bench_output {
     void *data;
     size_t numbers;             /* per item held */
+    size_t planes;              /* they consist of: each is compared by its own largest number; 0 means 1 */
 } bench_output;
 
 typedef struct bench_case {
@@ -34,7 +36,7 @@ typedef struct bench_case {
     bench_output out[BENCH_OUTPUTS];
     size_t held;                /* items whose outputs are in out after a call */
     size_t lanes;               /* layout of out: [held/lanes][numbers][lanes]; 0 means 1 */
-    double tolerance;           /* of the check, relative to the largest number of the output; 0: no check */
+    double tolerance;           /* of the check, relative to the largest of the plane; 0: no check */
     double flops, bytes;        /* per item: arithmetic done, numbers stored; 0: not counted */
     int group;                  /* cases are compared within a group */
     int column;                 /* of the printed table, where that is not the bands */

@@ -136,6 +136,7 @@ static bench_case make_case(const lights_input *in, const char *impl, void (*run
     c.input = in;
     c.out[0].data = in->out;
     c.out[0].numbers = n2 * (size_t)in->planes;
+    c.out[0].planes = (size_t)in->planes;
     c.held = (size_t)nodes;
     /* M22's Eq. 9 and 16 subtract nearly equal Legendre values: they keep 3 digits in float here, which is enough to
      * see a wrong sign or factor; in double the same check is sharp. */

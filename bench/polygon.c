@@ -132,7 +132,8 @@ static void add(const polygon_input *in, const char *impl, void (*run)(const ben
     c.held = in->points;
     c.tolerance = tolerance;
     c.out[0].data = in->out;
-    c.out[0].numbers = n2 * (in->gradient ? 4 : 1);
+    c.out[0].planes = in->gradient ? 4 : 1;
+    c.out[0].numbers = n2 * c.out[0].planes;
     bench_add(&c);
 }
 
