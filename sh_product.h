@@ -120,7 +120,7 @@ SHI_INLINE void shi_ggx(int bands, double alpha, double *zh)
     double s = 1;
     int l;
 
-    zh[0] = 1;
+    for (l = 0; l < bands; l++) zh[l] = 1;      /* all: gcc 12 loses track of the loop below */
     if (alpha >= 1e-3) {
         for (l = bands + (alpha < 1 ? (int)(20 / (2 * atanh(alpha))) : 0); l > 0; l--) {
             s = ((2 * l + 1) * u + l * t * s) / ((l + 1) + l * u + l * t * s);
