@@ -3809,7 +3809,7 @@ SHI_INLINE void SHI_KN(shi_polygon_sums)(int ns, int nt, int groups, const SHI_V
     int g, m, l;
     for (g = 0; g < groups; g += 2, node += 10) {
         const SHI_V x0 = -node[0], y0 = -node[1], z0 = node[2], x1 = -node[5], y1 = -node[6], z1 = node[7];
-        SHI_V c0 = SHI_SPLAT(1), d0 = SHI_SPLAT(0), c1, d1;
+        SHI_V c0 = SHI_SPLAT(1), d0 = SHI_SPLAT(0), c1, d1, *from_s = s + 2 * ns, *from_t = t + 2 * nt;
         {   /* m = 0: U = 1, V = 0 */
             const SHI_T *const beta = SHI_FN(shi_beta);
             SHI_V q0 = c0, p0 = d0, q1 = c0, p1 = d0, r;
@@ -3834,7 +3834,9 @@ SHI_INLINE void SHI_KN(shi_polygon_sums)(int ns, int nt, int groups, const SHI_V
             const SHI_V wd0 = node[3] * d0, vd0 = node[4] * d0, wd1 = node[8] * d1, vd1 = node[9] * d1;
             const SHI_T *const beta = SHI_FN(shi_beta);
             SHI_V q0 = SHI_SPLAT(1), p0 = SHI_SPLAT(0), q1 = q0, p1 = p0, r;
-            SHI_V *a = m < ns ? s + SHI_COLUMN(ns, m) : s, *b = m < nt ? t + SHI_COLUMN(nt, m) : t;
+            SHI_V *a = from_s, *b = from_t;
+            if (m < ns) from_s += 2 * (ns - m);
+            if (m < nt) from_t += 2 * (nt - m);
             for (l = m; l < both; l++) {
                 const SHI_T k = beta[SHI_ROWS(l + 1, m)];
                 a[0] += q0 * wc0 + q1 * wc1;
@@ -5387,7 +5389,6 @@ SHI_NOINLINE int SHI_FN(shi_polygons_16)(int n, int planes, int channels, int si
                                          const SHI_T *vertices, const SHI_T *radiance, SHI_T *out)
 {
     SHI_MANY(shi_vector) work[SHI_POLYGON_WORK(SH_MAX_POLYGON_BANDS)];
-    if (n > SH_MAX_POLYGON_BANDS) return SH_ERROR_BANDS;        /* checked before; here for gcc's range analysis */
     return SHI_FN(shi_polygons_with)(n, planes, channels, sides, points, point, grid, first, polygons, counts, vertices, radiance, out, work);
 }
 SHI_INLINE int SHI_FN(shi_polygons_any)(int n, int planes, int channels, int sides, size_t points, const SHI_T *point,

@@ -423,10 +423,14 @@ static void F(invariants)(void **state)
         F(sh_polygon)(8, SH_SIGNED, q, (size_t)s.count, u, d, e);
         for (k = 0; k < 64; k++) row_check(scale, (long double)d[k], (long double)c[k], 0, k);
         for (k = 0; k < 192; k++) row_check(scale, (long double)e[k], (long double)g[k] / 1024, 0, k);
-        for (k = 0; k < 3; k++) q[k] = (T)((float)p[k] + 4);
-        for (k = 0; k < 3; k++) p[k] = q[k] - 4;
+        for (k = 0; k < 3; k++) {
+            volatile float moved = (float)p[k] + 4;             /* -ffast-math would not round here */
+            q[k] = (T)moved;
+            p[k] = q[k] - 4;
+        }
         for (k = 0; k < 3 * s.count; k++) {
-            u[k] = (T)((float)v[k] + 4);
+            volatile float moved = (float)v[k] + 4;
+            u[k] = (T)moved;
             v[k] = u[k] - 4;
         }
         F(sh_polygon)(8, SH_SIGNED, p, (size_t)s.count, v, c, g);
