@@ -56,15 +56,11 @@ agreement check_grid(const settings *o, const stage *s, const light *now)
                 for (c = 0; c < 3; c++)
                     for (p = 0; p < 4; p++) {
                         const double e = cpu[(4 * c + p) * n2 + i], g = (double)gpu[((node * n2 + i) * 3 + c) * 4 + p];
-                        const double off = fabs(g - e);
-                        if (!(off <= worst[p > 0])) worst[p > 0] = off;         /* NaN is always worse */
-                        if (fabs(e) > largest[p > 0]) largest[p > 0] = fabs(e);
+                        worst[p > 0] = worse(worst[p > 0], fabs(g - e));
+                        largest[p > 0] = worse(largest[p > 0], fabs(e));
                     }
-            for (p = 0; p < 2; p++) {
-                const double in_eps = worst[p] / (largest[p] * (double)FLT_EPSILON);
-                if (p == 0 && !(in_eps <= a.value)) a.value = in_eps;
-                if (p == 1 && !(in_eps <= a.gradient)) a.gradient = in_eps;
-            }
+            a.value = worse(a.value, worst[0] / (largest[0] * (double)FLT_EPSILON));
+            if (largest[1] > 0 || !(worst[1] <= 0)) a.gradient = worse(a.gradient, worst[1] / (largest[1] * (double)FLT_EPSILON));
         }
     }
     free(gpu);

@@ -172,7 +172,7 @@ static difference against_reference(settings o, float exposure)
     for (i = 0; i < pixels; i++) {
         const double e = (double)rgba[4 * i + 3];
         d.mean += e / (double)pixels;
-        if (!(e <= d.largest)) d.largest = e;
+        d.largest = worse(d.largest, e);
     }
     free(rgba);
     return d;

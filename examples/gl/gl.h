@@ -68,6 +68,9 @@ unsigned char *passes_picture(const settings *o);           /* [height][width][3
 void   passes_show(const settings *o, int width, int height);           /* on the window */
 void   passes_text(const settings *o, float x, float y, float zoom, const char *text);
 
+/* The larger of two that are not negative; NaN if either is. */
+static inline double worse(double a, double b) { return !(a + b == a + b) ? a + b : a > b ? a : b; }
+
 /* check.c ---- largest difference of the GPU's grid from the C headers in double precision, over nodes, bands, channels
  * and axes, in units of FLT_EPSILON times the node's largest value (gradient) in the band. */
 typedef struct { double value, gradient; } agreement;

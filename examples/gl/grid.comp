@@ -67,7 +67,8 @@ void prepare(int slot, Light light)
     float g[SH_BANDS], dg[SH_BANDS];
     vec3 v = light.sphere.xyz - point;
     float d = length(v), cosine = 1.0;
-    vec3 u = v / max(d, 1e-30);
+    vec3 u = d > 0.0 ? v / d : vec3(0.0, 0.0, 1.0);
+    d = max(d, 1e-18);                                                  /* at the centre: inside, and finite */
     sh_sphere_weights(d, light.sphere.w, g, dg);
 #if TRIANGLES
     vec3 n = dot(light.normal.xyz, u) < 0.0 ? -light.normal.xyz : light.normal.xyz;

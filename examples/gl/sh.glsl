@@ -175,8 +175,10 @@ void sh_zonal_light(vec3 v, const in float g[SH_BANDS], const in float dg[SH_BAN
 void sh_sphere(vec3 point, vec3 center, float radius, out float c[SH_N], out vec3 grad[SH_N])
 {
     float g[SH_BANDS], dg[SH_BANDS];
-    sh_sphere_weights(length(center - point), radius, g, dg);
-    sh_zonal_light(center - point, g, dg, c, grad);
+    vec3 v = center - point;
+    sh_sphere_weights(length(v), radius, g, dg);
+    if (v == vec3(0.0)) v.z = 1.0;                              /* inside every direction is as good */
+    sh_zonal_light(v, g, dg, c, grad);
 }
 
 /* M22, Eq. 24-28: a sphere at the centroid whose disc has the triangle's area, times |cos| to the normal. */

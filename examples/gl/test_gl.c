@@ -53,7 +53,7 @@ static void grids(stage *s, light *now)
                 pass_grid(&o, s);
                 a = check_grid(&o, s, now);
                 sprintf(what, "grid of %d %s, %s, %d bands", s->count, kinds[kind], forms[form], bands);
-                expect(what, fmax(a.value, a.gradient), AGREEMENT_BOUND);
+                expect(what, worse(a.value, a.gradient), AGREEMENT_BOUND);
             }
 }
 
@@ -91,11 +91,11 @@ static void one_light(const stage *s)
                 a = check_grid(&o, &t, &l);
                 sprintf(what, "one light at %g %g %g, radius %g, form %d", (double)at[i][0], (double)at[i][1], (double)at[i][2],
                         (double)at[i][3], form);
-                expect(what, fmax(a.value, a.gradient), AGREEMENT_BOUND);
+                expect(what, worse(a.value, a.gradient), AGREEMENT_BOUND);
             } else {                                        /* inside: 2 sqrt(pi), nothing else */
                 double off = 0;
                 node = passes_nodes(&o);
-                for (k = 0; k < 36 * 12; k++) off = fmax(off, fabs((double)node[k] - (k == 0 || k == 4 || k == 8 ? 3.544907701811032 : 0)));
+                for (k = 0; k < 36 * 12; k++) off = worse(off, fabs((double)node[k] - (k == 0 || k == 4 || k == 8 ? 3.544907701811032 : 0)));
                 free(node);
                 sprintf(what, "inside a light, form %d", form);
                 expect(what, off, 1e-6);
@@ -159,7 +159,7 @@ static void picture(const stage *s, light *now)
             off += difference;
             count++;
             far += !(difference <= 2e-3 * pixel);
-            worst = fmax(worst, difference / pixel);
+            worst = worse(worst, difference / pixel);
         }
         sprintf(what, "picture, %s: mean difference from relight's", i ? "edge Hermite" : "per pixel");
         expect(what, off / sum, 1e-4);
