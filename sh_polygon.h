@@ -3803,7 +3803,7 @@ SHI_NOINLINE void SHI_FN(shi_make_rules)(SHI_FN(shi_rules) *r)
 enum { SHI_KN(shi_polygon_lanes) = SHI_W };
 
 /* s[l < ns] += w q U, t[l < nt] += v q U over nodes {x, y, z, w, v}; groups (of W nodes) is even */
-SHI_INLINE void SHI_KN(shi_polygon_sums)(int ns, int nt, int groups, const SHI_V *node, SHI_V *s, SHI_V *t)
+SHI_KERNEL void SHI_KN(shi_polygon_sums_of)(int ns, int nt, int groups, const SHI_V *node, SHI_V *s, SHI_V *t)
 {
     const int n = ns > nt ? ns : nt, both = ns < nt ? ns : nt;
     int g, m, l;
@@ -3877,6 +3877,21 @@ SHI_INLINE void SHI_KN(shi_polygon_sums)(int ns, int nt, int groups, const SHI_V
             d1 = x1 * d1 + y1 * c1;
             c1 = r;
         }
+    }
+}
+
+/* ... with the loops' ends known for the gradients of edges to 9 bands: 1.15 times faster */
+SHI_INLINE void SHI_KN(shi_polygon_sums)(int ns, int nt, int groups, const SHI_V *node, SHI_V *s, SHI_V *t)
+{
+    switch (nt == ns + 1 ? nt : 0) {
+    case 3:  SHI_KN(shi_polygon_sums_of)(2, 3, groups, node, s, t);   break;
+    case 4:  SHI_KN(shi_polygon_sums_of)(3, 4, groups, node, s, t);   break;
+    case 5:  SHI_KN(shi_polygon_sums_of)(4, 5, groups, node, s, t);   break;
+    case 6:  SHI_KN(shi_polygon_sums_of)(5, 6, groups, node, s, t);   break;
+    case 7:  SHI_KN(shi_polygon_sums_of)(6, 7, groups, node, s, t);   break;
+    case 8:  SHI_KN(shi_polygon_sums_of)(7, 8, groups, node, s, t);   break;
+    case 9:  SHI_KN(shi_polygon_sums_of)(8, 9, groups, node, s, t);   break;
+    default: SHI_KN(shi_polygon_sums_of)(ns, nt, groups, node, s, t); break;
     }
 }
 
