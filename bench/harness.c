@@ -286,6 +286,16 @@ static const char *base_of(const char *kernel)
     return NULL;
 }
 
+/* A cell 16 wide: ns, and how many times faster than the base (0: none). */
+static void print_cell(double ns, double ratio)
+{
+    char text[32];
+    if (ns >= 1000) sprintf(text, "%.0f", ns);
+    else sprintf(text, "%.4g", ns);
+    if (ratio > 0) printf("%9s%6.*fx", text, ratio < 10 ? 2 : 1, ratio);
+    else printf("%16s", text);
+}
+
 static void print_kernel(const char *kernel)
 {
     const timed_case *fma = find("floor", "fma", 0), *store = find("floor", "l1_store", 0);
@@ -294,7 +304,7 @@ static void print_kernel(const char *kernel)
 
     printf("\n%s %s f%d: ns per %s%s%s\n  %-18s", suite.name, kernel, suite.precision, suite.item,
            base ? ", times faster than " : "", base ? base : "", "");
-    for (k = 0; k < n; k++) printf("%15d", columns[k]);
+    for (k = 0; k < n; k++) printf("%16d", columns[k]);
     printf("\n");
     for (i = 0; i < suite.count; i++) {
         const bench_case *c = &suite.cases[i].c;
@@ -306,9 +316,8 @@ static void print_kernel(const char *kernel)
         for (k = 0; k < n; k++) {
             const timed_case *t = find(kernel, c->impl, columns[k]);
             const timed_case *b = base ? find(kernel, base, columns[k]) : NULL;
-            if (!t) printf("%15s", "-");
-            else if (!b) printf("%15.4g", t->min);
-            else printf("%9.4g%5.*fx", t->min, b->min / t->min < 10 ? 2 : 1, b->min / t->min);
+            if (!t) printf("%16s", "-");
+            else print_cell(t->min, b ? b->min / t->min : 0);
             counted |= t && (t->c.flops > 0 || t->c.bytes > 0);
         }
         printf("\n");
@@ -318,8 +327,8 @@ static void print_kernel(const char *kernel)
             const timed_case *t = find(kernel, c->impl, columns[k]);
             const double f = t ? t->c.flops * fma->min / t->min : 0;
             const double s = t ? t->c.bytes * store->min / t->min : 0;
-            if (!t || (f <= 0 && s <= 0)) printf("%15s", "");
-            else printf("%9.0f%% %-5s", 100 * (f > s ? f : s), f > s ? "fma" : "store");
+            if (!t || (f <= 0 && s <= 0)) printf("%16s", "");
+            else printf("%9.0f%% %-6s", 100 * (f > s ? f : s), f > s ? "fma" : "store");
         }
         printf("\n");
     }

@@ -87,6 +87,13 @@ performance-doc: bench
 	$(MAKE) --no-print-directory bench-quick CFLAGS=-O2 BENCH_CSV=$(BUILD)/bench-O2.csv
 	$(PYTHON) bench/report.py $(BENCH_CSV) $(BUILD)/bench-clang-quick.csv $(BUILD)/bench-O2-quick.csv > docs/performance.md
 
+# Instructions, FMAs and spills of the inner loops: light sums, basis values and gradients.
+bench-loops: $(BENCH_DIR)/lights_f32.o $(BENCH_DIR)/basis_f32.o
+	objdump -d --no-show-raw-insn $(BENCH_DIR)/lights_f32.o | $(PYTHON) bench/loops.py shi_moments_gradient 4
+	objdump -d --no-show-raw-insn $(BENCH_DIR)/basis_f32.o | $(PYTHON) bench/loops.py shi_blocks_values 9
+	objdump -d --no-show-raw-insn $(BENCH_DIR)/basis_f32.o | $(PYTHON) bench/loops.py shi_blocks_both 36
+.PHONY: bench-loops
+
 # Size and compile time of each header, code size of each group of functions.
 sizes:
 	CC='$(CC)' sh bench/sizes.sh $(BUILD) $(HEADERS)
