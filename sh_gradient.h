@@ -143,11 +143,6 @@ enum {
 #else
 #  define SHI_UNROLL
 #endif
-#if defined(__aarch64__) || defined(__AVX512VL__)
-#  define SHI_REGISTERS 32
-#else
-#  define SHI_REGISTERS 16
-#endif
 #if defined(__has_builtin)
 #  if __has_builtin(__builtin_elementwise_sqrt)
 #    define SHI_SQRT_ELEMENTWISE
@@ -1120,59 +1115,84 @@ SHI_NOINLINE int SHI_KN(shi_sum_gradient)(int n, const SHI_T *a, size_t count, c
  * the recurrence of x_k Y_lm):  kind 0 f_l, l = j;  1 w-, l = j+1;  2 w+, l = j-1;  3 w--, l = j+2;  4 lap, l = j;
  * 5 w++, l = j-2.  w- = f' + (l+1) f/rho, w+ = f' - l f/rho, and the same once more for the second derivatives. */
 
+/* W lights as seen from a point. Geometry, powers and weights are three loops over a block of nb such: in each, the long
+ * chains of one vector overlap with its neighbours'. */
+typedef struct {
+    SHI_V x, y;             /* -(center - point)/d: powers of -x - iy carry the sign                                     */
+    SHI_V radiance;
+    SHI_V inverse;          /* 1/d                                                                                       */
+    SHI_V alpha, kappa;     /* cos of the half-angle; 1 - cos                                                            */
+    SHI_V s2, q;            /* (r/d)^2; s2/(alpha d)                                                                     */
+    SHI_V first;            /* weight of band 0: 2 pi kappa, or 4 pi inside, where the others are 0                      */
+} SHI_KN(shi_light);
 
-/* weights and powers of W lights, one vector of a block of nb; adds to flags: inside, not finite, negative radius */
-SHI_KERNEL void SHI_KN(shi_light_weights)(int n, int kinds, const SHI_T point[3], const SHI_V center[3], SHI_V radius, SHI_V radiance,
-                                          SHI_V *pool, int levels, int nb, SHI_M flags[3])
+/* returns z; adds to flags: inside, not finite, negative radius */
+SHI_KERNEL SHI_V SHI_KN(shi_light_geometry)(const SHI_T point[3], const SHI_V center[3], SHI_V radius, SHI_M flags[3],
+                                            SHI_KN(shi_light) *o)
 {
-    const SHI_V zero = SHI_SPLAT(0), one = SHI_SPLAT(1);
+    const SHI_V zero = SHI_SPLAT(0), one = SHI_SPLAT(1), tau = SHI_SPLAT(SHI_C(6.2831853071795865));
     const SHI_V dx = center[0] - point[0], dy = center[1] - point[1], dz = center[2] - point[2];
     const SHI_V r2 = SHI_FMA(dx, dx, SHI_FMA(dy, dy, dz * dz)), rough = r2 - radius * radius;
     const SHI_M close = (SHI_M)(rough < SHI_C(0.5) * r2), dark = (SHI_M)(radius == zero);
     const SHI_V gap = SHI_ANY(close) ? SHI_SELECT(close, SHI_KN(shi_gap)(center, point, radius), rough) : rough;
     const SHI_M inside = (SHI_M)(gap <= zero) & (SHI_M)(radius > zero), none = dark | inside;
     const SHI_V i = SHI_RSQRT(SHI_SELECT((SHI_M)(r2 < SHI_MIN2), one, r2)), ig = SHI_RSQRT(SHI_SELECT(none, one, gap));
-    const SHI_V s = SHI_SELECT(none, zero, radius * i), s2 = s * s;
-    const SHI_V alpha = SHI_SELECT(none, one, (gap * ig) * i), kappa = s2 / (SHI_C(1) + alpha);
-    const SHI_V k = SHI_C(6.2831853071795865) * s2, q = s2 * ig, k1 = SHI_C(-6.2831853071795865) * q;
-    SHI_V *c = pool, *v = c + levels * nb, *w = v + levels * nb;
-    SHI_V p = one, step = zero, slope = zero, uc = radiance, us = zero, u[3];
-    int l, m, t;
-    u[0] = dx * i;
-    u[1] = dy * i;
-    u[2] = dz * i;
-    (void)SHI_KN(shi_polish)(u, u);
-    pool[2 * levels * nb + kinds * levels * nb] = u[2];
-    for (m = 0; m < levels; m++) {                              /* U_m, V_m times radiance */
+    const SHI_V s = SHI_SELECT(none, zero, radius * i), x = -(dx * i), y = -(dy * i), z = dz * i;
+    o->x = x;
+    o->y = y;
+    o->inverse = i;
+    o->s2 = s * s;
+    o->alpha = SHI_SELECT(none, one, (gap * ig) * i);
+    o->kappa = o->s2 / (SHI_C(1) + o->alpha);
+    o->q = o->s2 * ig;
+    o->first = SHI_SELECT(inside, tau + tau, tau * o->kappa);
+    flags[0] |= inside;
+    flags[1] |= SHI_KN(shi_out_of)(SHI_ABS(gap) + SHI_ABS(radius), 0, SHI_C(SHI_BITS == 32 ? 3e38 : 1e308));
+    flags[2] |= (SHI_M)(radius < zero);
+    /* as shi_polish, for z alone: near the poles it is what counts */
+    return SHI_FMA(z, SHI_C(-0.5) * SHI_FMA(x, x, SHI_FMA(y, y, SHI_FMA(z, z, SHI_SPLAT(-1)))), z);
+}
+
+/* c, v [levels]: U_m, V_m times radiance, nb vectors from one m to the next */
+SHI_KERNEL void SHI_KN(shi_light_powers)(SHI_V x, SHI_V y, SHI_V radiance, int levels, int nb, SHI_V *c, SHI_V *v)
+{
+    SHI_V uc = x * radiance, us = y * radiance;
+    int m;
+    c[0] = radiance;
+    v[0] = SHI_SPLAT(0);
+    for (m = 1; m < levels; m++) {
         c[m * nb] = uc;
         v[m * nb] = us;
-        SHI_KN(shi_turn)(-u[0], -u[1], &uc, &us);
+        SHI_KN(shi_turn)(x, y, &uc, &us);
     }
+}
+
+/* w[kinds][levels], nb vectors from one band to the next */
+SHI_KERNEL void SHI_KN(shi_light_weights)(int n, int kinds, const SHI_KN(shi_light) *o, int levels, int nb, SHI_V *w)
+{
+    const SHI_T tau = SHI_C(6.2831853071795865);
+    const SHI_V k = tau * o->s2, k1 = -tau * o->q, i = o->inverse, q = o->q;
+    SHI_V p = SHI_SPLAT(1), step = SHI_SPLAT(0), slope = step;
+    int l, t;
     for (t = 0; t < kinds; t++)                                 /* bands a kind does not reach */
-        for (l = 0; l < 2 && l < levels; l++) {
-            w[(t * levels + l) * nb] = zero;
-            w[(t * levels + levels - 1 - l) * nb] = zero;
-        }
+        for (l = 0; l < 2 && l < levels; l++) w[(t * levels + l) * nb] = w[(t * levels + levels - 1 - l) * nb] = step;
 #define SHI_WEIGHT(kind, band) w[((kind) * levels + (band)) * nb]
     for (l = 0; l < n; l++) {
-        SHI_V f;
+        SHI_V f = tau * o->kappa;
         if (l > 0) {                                            /* P_l' and P_l by differences, as in shi_cap */
             const SHI_T r = SHI_FN(shi_reciprocal)[l];
-            slope = slope + (SHI_C(l) * p - kappa * slope);
-            step = (SHI_C(l - 1) * step - SHI_C(2 * l - 1) * (kappa * p)) * r;
+            slope = SHI_FMA(-o->kappa, slope, SHI_FMA(SHI_SPLAT(SHI_C(l)), p, slope));
+            step = (SHI_C(l - 1) * r) * step - (SHI_C(2 * l - 1) * r) * (o->kappa * p);
             p = p + step;
             f = k * (slope * (r * SHI_FN(shi_reciprocal)[l + 1]));
-        } else {
-            f = SHI_SELECT(inside, SHI_SPLAT(SHI_C(12.566370614359172)), SHI_C(6.2831853071795865) * kappa);
         }
-        SHI_WEIGHT(0, l) = f;
+        SHI_WEIGHT(0, l) = l ? f : o->first;
         if (kinds >= 3) {
-            const SHI_V g = SHI_SELECT(inside, zero, f) * i, f1 = k1 * p;
+            const SHI_V g = f * i, f1 = k1 * p;
             if (l > 0) SHI_WEIGHT(1, l - 1) = f1 + SHI_C(l + 1) * g;
             SHI_WEIGHT(2, l + 1) = f1 - SHI_C(l) * g;
             if (kinds == SHI_ALL_KINDS) {
-                const SHI_V f2 = SHI_C(6.2831853071795865) * (p * (SHI_C(3) * (q * i) + q * q / alpha) - slope * (q * q));
-                const SHI_V h = (f1 - g) * i;
+                const SHI_V f2 = tau * (p * (SHI_C(3) * (q * i) + q * q / o->alpha) - slope * (q * q)), h = (f1 - g) * i;
                 if (l > 1) SHI_WEIGHT(3, l - 2) = (f2 + SHI_C(l + 1) * h) + SHI_C(l) * ((f1 + SHI_C(l + 1) * g) * i);
                 SHI_WEIGHT(4, l) = f2 + SHI_C(2) * (f1 * i) - SHI_C(l * (l + 1)) * (g * i);
                 SHI_WEIGHT(5, l + 2) = (f2 - SHI_C(l) * h) - SHI_C(l + 1) * ((f1 - SHI_C(l) * g) * i);
@@ -1180,9 +1200,6 @@ SHI_KERNEL void SHI_KN(shi_light_weights)(int n, int kinds, const SHI_T point[3]
         }
     }
 #undef SHI_WEIGHT
-    flags[0] |= inside;
-    flags[1] |= SHI_KN(shi_out_of)(SHI_ABS(gap) + SHI_ABS(radius), 0, SHI_C(SHI_BITS == 32 ? 3e38 : 1e308));
-    flags[2] |= (SHI_M)(radius < zero);
 }
 
 /* which kinds row j of the moments has, by its distance e = j - (n-1) from the light's top band: bits of kinds */
@@ -1195,7 +1212,7 @@ SHI_KERNEL void SHI_KN(shi_light_rows)(int rows, int kinds, int e_last, int zona
                                        const SHI_V *c, const SHI_V *v, const SHI_V *w, int kind_stride, SHI_V *qa, SHI_V *qb,
                                        SHI_V *sum)
 {
-    SHI_V a[16], b[16];
+    SHI_V a[2 * SHI_ALL_KINDS], b[2 * SHI_ALL_KINDS];
     const int slots = rows * kinds;
     int i, t;
     SHI_UNROLL
@@ -1239,10 +1256,9 @@ SHI_KERNEL void SHI_KN(shi_light_rows)(int rows, int kinds, int e_last, int zona
     }
 }
 
-/* column m of a block: bands m .. top in groups that fit the registers. sum[top-m+1][kinds][2] */
+/* column m of a block: bands m .. top in groups whose sums fit 16 registers. sum[top-m+1][kinds][2] */
 SHI_KERNEL void SHI_KN(shi_light_column)(int n, int kinds, int m, int nb, const SHI_V *pool, int levels, SHI_V *sum)
 {
-    const int plenty = SHI_BYTES == 64 || SHI_REGISTERS == 32;
     const int top = n - 1 + (kinds == 1 ? 0 : kinds == 3 ? 1 : 2);
     const SHI_V *c = pool + m * nb, *v = c + levels * nb, *w = pool + 2 * levels * nb, *z = w + kinds * levels * nb;
     SHI_V qa[SHI_LIGHTS_AT_ONCE], qb[SHI_LIGHTS_AT_ONCE];
@@ -1265,22 +1281,13 @@ SHI_KERNEL void SHI_KN(shi_light_column)(int n, int kinds, int m, int nb, const 
             else if (left == 3) SHI_GROUP(3, 0);
             else if (left == 2) SHI_GROUP(2, 0);
             else SHI_GROUP(1, 0);
-        } else if (kinds == 3 && plenty) {
-            if (left > 5) SHI_GROUP(4, -2);
-            else if (left == 5) SHI_GROUP(4, 0);
-            else if (left == 4) SHI_GROUP(4, 1);
-            else if (left == 3) SHI_GROUP(3, 1);
-            else if (left == 2) SHI_GROUP(2, 1);
-            else SHI_GROUP(1, 1);
         } else if (kinds == 3) {
             if (left > 3) SHI_GROUP(2, -2);
             else if (left == 3) SHI_GROUP(3, 1);
             else if (left == 2) SHI_GROUP(2, 1);
             else SHI_GROUP(1, 1);
         } else {
-            if (plenty && left > 5) SHI_GROUP(2, -2);
-            else if (left > 4) SHI_GROUP(1, -2);
-            else if (plenty && left == 4) SHI_GROUP(2, 0);
+            if (left > 4) SHI_GROUP(1, -2);
             else if (left == 4) SHI_GROUP(1, -1);
             else if (left == 3) SHI_GROUP(1, 0);
             else if (left == 2) SHI_GROUP(2, 2);
@@ -1312,24 +1319,21 @@ SHI_KERNEL void SHI_KN(shi_load_light)(const SHI_T *spheres, const SHI_T *radian
     *power = SHI_LOAD(t[4]);
 }
 
-/* W weighted directions: unit vectors and their powers, in place of a light's */
-SHI_KERNEL int SHI_KN(shi_sample_powers)(const SHI_T *dirs, const SHI_T *weights, size_t count, size_t first, SHI_V *pool,
-                                         int levels, int nb)
+/* W weighted directions in place of lights: geometry without a profile. Returns 0 if one is out of range */
+SHI_KERNEL int SHI_KN(shi_sample_geometry)(const SHI_T *dirs, const SHI_T *weights, size_t count, size_t first, SHI_V *z,
+                                           SHI_KN(shi_light) *o)
 {
     const int lanes = count - first < SHI_W ? (int)(count - first) : SHI_W;
-    SHI_V v[3], u[3], inverse, uc, us, *c = pool, *s = pool + levels * nb;
+    SHI_V v[3], u[3];
     SHI_T w[SHI_W];
-    int i, m;
-    const int ok = (SHI_KN(shi_load3)(dirs + 3 * first, lanes, v), SHI_KN(shi_unit)(v, u, &inverse));
+    int i, ok;
+    SHI_KN(shi_load3)(dirs + 3 * first, lanes, v);
+    ok = SHI_KN(shi_unit)(v, u, &o->inverse);
     for (i = 0; i < SHI_W; i++) w[i] = i < lanes ? weights[first + (size_t)i] : 0;
-    uc = SHI_LOAD(w);
-    us = SHI_SPLAT(0);
-    for (m = 0; m < levels; m++) {
-        c[m * nb] = uc;
-        s[m * nb] = us;
-        SHI_KN(shi_turn)(-u[0], -u[1], &uc, &us);
-    }
-    pool[3 * levels * nb] = u[2];
+    o->x = -u[0];
+    o->y = -u[1];
+    o->radiance = SHI_LOAD(w);
+    *z = u[2];
     return ok;
 }
 
@@ -1342,6 +1346,7 @@ SHI_KERNEL int SHI_KN(shi_moments)(int n, int kinds, const SHI_T *point, size_t 
     const int fit = SHI_POOL / ((2 + kinds) * levels + 1);
     const int at_once = fit > SHI_LIGHTS_AT_ONCE ? SHI_LIGHTS_AT_ONCE : fit;
     SHI_V pool[SHI_POOL], sums[SHI_SUMS];
+    SHI_KN(shi_light) lights[SHI_LIGHTS_AT_ONCE];
     SHI_M flags[3];
     int bad = 0, m0, m1, m, j, k, i;
     memset(flags, 0, sizeof flags);
@@ -1354,17 +1359,21 @@ SHI_KERNEL int SHI_KN(shi_moments)(int n, int kinds, const SHI_T *point, size_t 
         for (first = 0; first < count; first += (size_t)at_once * SHI_W) {
             const size_t vectors = (count - first + SHI_W - 1) / SHI_W;
             const int nb = vectors < (size_t)at_once ? (int)vectors : at_once;
+            SHI_V *const weights = pool + 2 * levels * nb, *const z = weights + kinds * levels * nb;
             for (i = 0; i < nb; i++) {
                 const size_t one = first + (size_t)i * SHI_W;
                 if (point) {
-                    SHI_V center[3], radius, power;
-                    SHI_KN(shi_load_light)(spheres, radiance, count, one, center, &radius, &power);
-                    SHI_KN(shi_light_weights)(n, kinds, point, center, radius, power, pool + i, levels, nb, flags);
-                } else {
-                    if (!SHI_KN(shi_sample_powers)(spheres, radiance, count, one, pool + i, levels, nb)) bad = 2;
-                    for (j = 0; j < levels; j++) pool[(2 * levels + j) * nb + i] = SHI_SPLAT(1);
+                    SHI_V center[3], radius;
+                    SHI_KN(shi_load_light)(spheres, radiance, count, one, center, &radius, &lights[i].radiance);
+                    z[i] = SHI_KN(shi_light_geometry)(point, center, radius, flags, &lights[i]);
+                } else if (!SHI_KN(shi_sample_geometry)(spheres, radiance, count, one, &z[i], &lights[i])) {
+                    bad = 2;
                 }
             }
+            for (i = 0; i < nb; i++)
+                SHI_KN(shi_light_powers)(lights[i].x, lights[i].y, lights[i].radiance, levels, nb, pool + i, pool + levels * nb + i);
+            for (i = 0; i < nb && point; i++) SHI_KN(shi_light_weights)(n, kinds, &lights[i], levels, nb, weights + i);
+            for (i = 0; i < nb * levels && !point; i++) weights[i] = SHI_SPLAT(1);
             for (m = m0, at = 0; m < m1; at += 2 * kinds * (levels - m), m++)
                 SHI_KN(shi_light_column)(n, kinds, m, nb, pool, levels, sums + at);
         }
