@@ -5404,6 +5404,7 @@ SHI_NOINLINE int SHI_FN(shi_polygons_16)(int n, int planes, int channels, int si
                                          const SHI_T *vertices, const SHI_T *radiance, SHI_T *out)
 {
     SHI_MANY(shi_vector) work[SHI_POLYGON_WORK(SH_MAX_POLYGON_BANDS)];
+    n = n < SH_MAX_POLYGON_BANDS ? n : SH_MAX_POLYGON_BANDS;         /* is; a compiler that clones this for a refused 17 cannot know */
     return SHI_FN(shi_polygons_with)(n, planes, channels, sides, points, point, grid, first, polygons, counts, vertices, radiance, out, work);
 }
 SHI_INLINE int SHI_FN(shi_polygons_any)(int n, int planes, int channels, int sides, size_t points, const SHI_T *point,

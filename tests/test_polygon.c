@@ -10,6 +10,13 @@
 /* Shapes on a grid of 2^-20, so that every difference and, at the heights used, every determinant is exact in long double. */
 typedef struct { int count; double v[3 * 8], point[3]; const char *name; } scene_of;
 
+/* gcc 12 -O3 -march=native drops the rounding of a (double)(float) chain it vectorises */
+static double as_float(double x)
+{
+    volatile float f = (float)x;
+    return (double)f;
+}
+
 static double grid(double x) { return floor(x * 1048576 + 0.5) / 1048576; }
 
 /* kind 0 triangle, 1 quadrilateral, 2 pentagon, 3 L, 4 needle 1:1000; ratio size/distance, graze = sine of the angle to the plane */
@@ -53,12 +60,12 @@ static void make_scene(scene_of *s, int kind, double ratio, double graze, int tu
     if (ratio < 1e-2) scale = ldexp(1, (int)floor(log2(ratio / 1e-2)));
     lateral = sqrt(fabs(1 - graze * graze)) / ratio;
     for (i = 0; i < s->count; i++)
-        for (k = 0; k < 3; k++) s->v[3 * i + k] = (float)(scale * grid(xy[2 * i] * u[k] + xy[2 * i + 1] * v[k]));
+        for (k = 0; k < 3; k++) s->v[3 * i + k] = as_float(scale * grid(xy[2 * i] * u[k] + xy[2 * i + 1] * v[k]));
     for (k = 0; k < 3; k++) {
         const double h = w[k] * graze / ratio + lateral * (cos(az) * u[k] + sin(az) * v[k]);
-        s->point[k] = (float)(scale * (turned ? h : grid(h)));
+        s->point[k] = as_float(scale * (turned ? h : grid(h)));
     }
-    if (!turned) s->point[2] = (float)(scale * ldexp(floor(ldexp(graze / ratio, 30) + 1), -30));
+    if (!turned) s->point[2] = as_float(scale * ldexp(floor(ldexp(graze / ratio, 30) + 1), -30));
 }
 
 /* The closed form in each edge's own frame (MATH 5) in long double: e, f in the frame [middle, mu x middle, mu], turned to the
