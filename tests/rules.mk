@@ -56,7 +56,7 @@ sanitize-address sanitize-memory: sanitize-%: | $(TESTS_DIR)
 	@set -e; for t in $(TESTS_SANITIZED); do echo "== $* $$t"; \
 	case $* in address) f="-fsanitize=address,undefined -fno-sanitize-recover=all" ;; \
 	memory) f="-fsanitize=memory -fsanitize-memory-track-origins" ;; esac; \
-	clang -std=gnu99 -O1 -g $$f -ffp-contract=off -I. -Itests/plain -Itests -o $(TESTS_DIR)/$* $$t tests/ref.c tests/report.c -lm; \
+	clang -std=gnu99 -O0 -DSH_UNROLLED_BANDS=3 $$f -I. -Itests/plain -Itests -o $(TESTS_DIR)/$* $$t tests/ref.c tests/report.c -lm; \
 	SH_TEST_EFFORT=0.05 $(TESTS_DIR)/$*; done
 
 # make install and cmake --install, each used from a folder of its own
