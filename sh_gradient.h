@@ -448,32 +448,33 @@ SHI_KERNEL SHI_V SHI_RSQRT(SHI_V v)
     return SHI_C(1) / SHI_SQRT(v);
 #endif
 }
-/* pairwise: lane i with lane i + half */
+/* pairwise: lane i with lane i + half, in ever narrower registers */
 SHI_KERNEL SHI_T SHI_SUM(SHI_V v)
 {
-#if defined(SHI_SHUFFLE) && SHI_LANES == 2
-    v += __builtin_shufflevector(v, v, 1, 0);
-    return v[0];
-#elif defined(SHI_SHUFFLE) && SHI_LANES == 4
-    v += __builtin_shufflevector(v, v, 2, 3, 0, 1);
-    v += __builtin_shufflevector(v, v, 1, 0, 3, 2);
-    return v[0];
-#elif defined(SHI_SHUFFLE) && SHI_LANES == 8
-    v += __builtin_shufflevector(v, v, 4, 5, 6, 7, 0, 1, 2, 3);
-    v += __builtin_shufflevector(v, v, 2, 3, 0, 1, 6, 7, 4, 5);
-    v += __builtin_shufflevector(v, v, 1, 0, 3, 2, 5, 4, 7, 6);
-    return v[0];
-#elif defined(SHI_SHUFFLE) && SHI_LANES == 16
-    v += __builtin_shufflevector(v, v, 8, 9, 10, 11, 12, 13, 14, 15, 0, 1, 2, 3, 4, 5, 6, 7);
-    v += __builtin_shufflevector(v, v, 4, 5, 6, 7, 0, 1, 2, 3, 12, 13, 14, 15, 8, 9, 10, 11);
-    v += __builtin_shufflevector(v, v, 2, 3, 0, 1, 6, 7, 4, 5, 10, 11, 8, 9, 14, 15, 12, 13);
-    v += __builtin_shufflevector(v, v, 1, 0, 3, 2, 5, 4, 7, 6, 9, 8, 11, 10, 13, 12, 15, 14);
-    return v[0];
+#if SHI_LANES == 2
+    return v[0] + v[1];
+#elif SHI_BYTES == 16
+    __extension__ typedef SHI_T part __attribute__((__vector_size__(16)));
+    const part p = v;
+#elif SHI_BYTES == 32
+    __extension__ typedef SHI_T part __attribute__((__vector_size__(16)));
+    part t[2], p;
+    memcpy(t, &v, sizeof t);
+    p = t[0] + t[1];
 #else
-    int i, half;
-    for (half = SHI_W / 2; half > 0; half /= 2)
-        for (i = 0; i < half; i++) v[i] += v[i + half];
-    return v[0];
+    __extension__ typedef SHI_T half __attribute__((__vector_size__(32)));
+    __extension__ typedef SHI_T part __attribute__((__vector_size__(16)));
+    half h[2];
+    part t[2], p;
+    memcpy(h, &v, sizeof h);
+    h[0] += h[1];
+    memcpy(t, &h[0], sizeof t);
+    p = t[0] + t[1];
+#endif
+#if SHI_LANES > 2 && SHI_BITS == 32
+    return (p[0] + p[2]) + (p[1] + p[3]);
+#elif SHI_LANES > 2
+    return p[0] + p[1];
 #endif
 }
 /* a lane whose sign bit is set, as in the mask of a comparison that holds */
@@ -1381,6 +1382,7 @@ SHI_KERNEL int SHI_KN(shi_moments)(int n, int kinds, const SHI_T *point, size_t 
             for (j = m; j < levels; j++)
                 for (k = 0; k < kinds; k++, at += 2) {
                     SHI_T *const out = moments + k * plane + j * j + j;
+                    if (!(SHI_KINDS_AT(j - (n - 1)) >> k & 1u)) continue;       /* nobody reads it */
                     out[m] = SHI_FN(shi_norm)[SHI_ROWS(j, m)] * SHI_SUM(sums[at]);
                     if (m) out[-m] = SHI_FN(shi_norm)[SHI_ROWS(j, m)] * SHI_SUM(sums[at + 1]);
                 }
