@@ -9,7 +9,7 @@ need="
     libcmocka-dev libgsl-dev libflint-dev libflint-arb-dev
     python3 python3-mpmath python3-numpy python3-scipy
     libpng-dev libstb-dev gnuplot-nox:gnuplot libboost-math-dev
-    libepoxy-dev libegl-dev libegl1 libgl1-mesa-dri libglfw3-dev glslang-tools xvfb
+    libepoxy-dev libegl-dev libegl1 libgl1-mesa-dri libglfw3-dev glslang-tools xvfb xauth libgl1 libopengl0
     qemu-user:qemu-aarch64 gcc-aarch64-linux-gnu libc6-dev-arm64-cross gcc-mingw-w64-x86-64
     nodejs:node npm:npm
 "
