@@ -52,7 +52,7 @@ leaks() {
     if have clang; then
         for unit in std all; do
             clang -std=c99 -w -I. -fsyntax-only -Xclang -ast-dump -fno-color-diagnostics "$work/$unit.c" |
-                awk '/^[|`]-(Function|Typedef|Record|Enum|Var)Decl / || /-EnumConstantDecl / {
+                awk '/^[|`]-(Function|Typedef|Record|Enum|Var)Decl / || /^[| ] [|`]-EnumConstantDecl / {
                     sub(/ \047.*/, ""); sub(/ definition$/, "");
                     if ($NF !~ /^(struct|union|<.*|.*>|col:.*|line:.*|invalid)$/) print $NF }' | grep -v '^__builtin' | sort -u >"$work/$unit.names"
         done
