@@ -933,7 +933,7 @@ SHI_NOINLINE int SHI_KN(shi_single_hessian)(int n, const SHI_T v[3], SHI_T *y, S
  *
  * Up to 10 bands each column's polynomial A_m(z) = sum_l c_lm norm q_l^m is brought to E(t) + z O(t), t = z^2 - 1/2, once
  * per call and evaluated by Horner: one multiply-add per coefficient. In t on [-1/2, 1/2] the terms of band l grow by
- * (1 + sqrt 2)^(l/2) at worst (52 at l = 9), in z by its square. Beyond, the three-term recurrence runs beside the sums. */
+ * (1 + sqrt 2)^(l/2) at worst (52 at l = 9), in z by its square. Beyond, the columns of the basis run beside the sums. */
 
 #if SHI_LANES == 1
 /* a[N]: per m, per parity of l-m, cos then sin, highest power first */
