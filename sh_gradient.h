@@ -558,6 +558,12 @@ SHI_KERNEL SHI_V SHI_FMA(SHI_V a, SHI_V b, SHI_V c)
     return __builtin_ia32_vfmaddps512_mask(a, b, c, -1, 4);
 #elif SHI_BYTES == 64
     return __builtin_ia32_vfmaddpd512_mask(a, b, c, (unsigned char)-1, 4);
+#elif defined(__aarch64__)
+    int i;                                              /* gcc and clang make one fmla of it */
+    for (i = 0; i < SHI_W; i++)
+        c[i] = SHI_BITS == 32 ? (SHI_T)__builtin_fmaf((float)a[i], (float)b[i], (float)c[i])
+                              : (SHI_T)__builtin_fma((double)a[i], (double)b[i], (double)c[i]);
+    return c;
 #else
     return a * b + c;
 #endif
@@ -667,14 +673,19 @@ SHI_KERNEL int SHI_KN(shi_nearly_unit)(const SHI_V v[3], SHI_V u[3])
     return SHI_KN(shi_in_range)(SHI_ABS(SHI_KN(shi_polish)(v, u)), 0, SHI_NEAR);
 }
 
-/* unit vectors and 1/length of vectors of any length; 0 if one is out of range */
-SHI_KERNEL int SHI_KN(shi_unit)(const SHI_V v[3], SHI_V u[3], SHI_V *inverse)
+/* unit vectors and 1/length of vectors of any length; 0 if one is out of range. `alike`: a nearly unit one gets the bits of
+ * shi_nearly_unit, whatever its company in the register */
+SHI_KERNEL int SHI_KN(shi_unit)(const SHI_V v[3], int alike, SHI_V u[3], SHI_V *inverse)
 {
     const SHI_V r2 = SHI_KN(shi_length2)(v), i = SHI_C(1) / SHI_SQRT(r2);
-    SHI_V w[3];
-    w[0] = v[0] * i;
-    w[1] = v[1] * i;
-    w[2] = v[2] * i;
+    SHI_V w[3], scale = i;
+    if (alike) {
+        const SHI_V off = SHI_ABS(SHI_KN(shi_polish)(v, u));
+        scale = SHI_SELECT((SHI_M)(off <= SHI_NEAR), SHI_SPLAT(1), i);
+    }
+    w[0] = v[0] * scale;
+    w[1] = v[1] * scale;
+    w[2] = v[2] * scale;
     (void)SHI_KN(shi_polish)(w, u);
     *inverse = i;
     return SHI_KN(shi_in_range)(r2, SHI_MIN2, SHI_MAX2);
@@ -1055,7 +1066,7 @@ SHI_KERNEL int SHI_KN(shi_sums)(int n, int horner, int with_grad, const SHI_T *a
         int good = 1;
         f[0] = f[1] = f[2] = value;
         SHI_KN(shi_load3)(dirs + 3 * p, lanes, v);
-        if (with_grad || !SHI_KN(shi_nearly_unit)(v, u)) good = SHI_KN(shi_unit)(v, u, &inverse);
+        if (with_grad || !SHI_KN(shi_nearly_unit)(v, u)) good = SHI_KN(shi_unit)(v, !with_grad, u, &inverse);
         if (horner) SHI_KN(shi_sum_horner)(n, with_grad, a, u, &value, f);
         else SHI_KN(shi_sum_forward)(n, with_grad, a, u, &value, f);
         if (good && lanes == SHI_W && !with_grad) {
@@ -1329,7 +1340,7 @@ SHI_KERNEL int SHI_KN(shi_sample_geometry)(const SHI_T *dirs, const SHI_T *weigh
     SHI_T w[SHI_W];
     int i, ok;
     SHI_KN(shi_load3)(dirs + 3 * first, lanes, v);
-    ok = SHI_KN(shi_unit)(v, u, &o->inverse);
+    ok = SHI_KN(shi_unit)(v, 0, u, &o->inverse);
     for (i = 0; i < SHI_W; i++) w[i] = i < lanes ? weights[first + (size_t)i] : 0;
     o->x = -u[0];
     o->y = -u[1];
@@ -1623,7 +1634,7 @@ SHI_KERNEL int SHI_BN(shi_blocks)(int n, int planes, size_t blocks, const SHI_T 
             const SHI_T *const d = dirs + (first + at) / vectors * (3 * SH_BLOCK) + (first + at) % vectors * SHI_W;
             SHI_V v[3];
             for (k = 0; k < 3; k++) v[k] = SHI_LOAD(d + k * SH_BLOCK);
-            valid[at] = (planes == SH_VALUES && SHI_KN(shi_nearly_unit)(v, ahead[at])) || SHI_KN(shi_unit)(v, ahead[at], &ahead[at][3]);
+            valid[at] = (planes == SH_VALUES && SHI_KN(shi_nearly_unit)(v, ahead[at])) || SHI_KN(shi_unit)(v, planes == SH_VALUES, ahead[at], &ahead[at][3]);
         }
         for (at = 0; at < count; at++) {
             const size_t b = (first + at) / vectors, lane = (first + at) % vectors * SHI_W;
@@ -1699,7 +1710,7 @@ SHI_KERNEL int SHI_BN(shi_one)(int n, int planes, const SHI_T d[3], SHI_T *y, in
     int k;
     for (k = 0; k < 3; k++) v[k] = SHI_SPLAT(d[k]);
     if (planes == SH_VALUES && SHI_KN(shi_nearly_unit)(v, u)) inverse = u[0];
-    else if (!SHI_KN(shi_unit)(v, u, &inverse)) return 0;
+    else if (!SHI_KN(shi_unit)(v, 0, u, &inverse)) return 0;
     if (planes == SH_VALUES) SHI_BN(shi_values)(n, 1, u, y, ys);
     else if (planes == SH_GRADIENT) SHI_BN(shi_gradient)(n, 1, u, inverse, y, ys, g, gs);
     else SHI_BN(shi_hessian)(n, 1, u, inverse, y, ys, g, gs, h, hs);
@@ -1794,7 +1805,7 @@ SHI_NOINLINE int SHI_FN(shi_symmetric)(int n, const SHI_T v[3], const SHI_T *f, 
     if (!(h ? SHI_MANY(shi_single_hessian)(n, v, c, g, h) : g ? SHI_MANY(shi_single_gradient)(n, v, c, g)
                                                             : SHI_MANY(shi_single_values)(n, v, c)))
         return SHI_FN(shi_direction_status)(v);
-    if (!SHI_ONE(shi_unit)(v, u, &i)) return SH_ERROR_DIRECTION;
+    if (!SHI_ONE(shi_unit)(v, 0, u, &i)) return SH_ERROR_DIRECTION;
     for (l = 0; l < n; l++)
         for (m = -l; m <= l; m++) {
             const int at = l * (l + 1) + m;
@@ -1824,7 +1835,7 @@ SHI_NOINLINE int SHI_FN(shi_sphere)(int n, const SHI_T x[3], const SHI_T y[3], S
     gap = SHI_ONE(shi_gap)(y, x, r);
     inside = r > 0 && gap <= 0;
     if (r > 0 && !inside) {
-        if (!SHI_ONE(shi_unit)(v, u, &i)) return SH_ERROR_DIRECTION;
+        if (!SHI_ONE(shi_unit)(v, 0, u, &i)) return SH_ERROR_DIRECTION;
         SHI_FN(shi_cap)(n, r * i, SHI_LIBM(sqrt)(gap) * i, i, f, f1, f2);
         return SHI_FN(shi_symmetric)(n, v, f, f1, f2, c, g, h);
     }
@@ -1853,7 +1864,7 @@ SHI_NOINLINE int SHI_FN(shi_light_field)(int n, size_t count, const SHI_T *dirs,
         if (depth[t] <= 0) return SH_ERROR_RADIUS;
         if (!SHI_FN(shi_finite)(a, 3) || SHI_FN(shi_is_nan)(depth[t])) return SH_ERROR_NOT_FINITE;
         if (!SHI_FN(shi_finite)(depth + t, 1)) continue;
-        (void)SHI_ONE(shi_unit)(w, u, &inverse);
+        (void)SHI_ONE(shi_unit)(w, 0, u, &inverse);
         least = SHI_C(1e-3) * SHI_LIBM(sqrt)(a[0] * a[0] + a[1] * a[1] + a[2] * a[2]);
         facing = a[0] * u[0] + a[1] * u[1] + a[2] * u[2];
         if (SHI_LIBM(fabs)(facing) < least) facing = facing < 0 ? -least : least;
