@@ -985,11 +985,11 @@ SHI_KERNEL void SHI_KN(shi_sum_column)(int m, const SHI_V ab[2], const SHI_V dab
             f[2] = dab[0];
         }
     } else {
-        *value += ab[0] * uv[0] + ab[1] * uv[1];
+        *value = SHI_FMA(ab[0], uv[0], SHI_FMA(ab[1], uv[1], *value));
         if (with_grad) {
-            f[0] -= SHI_C(m) * (ab[0] * uv[2] + ab[1] * uv[3]);
-            f[1] += SHI_C(m) * (ab[0] * uv[3] - ab[1] * uv[2]);
-            f[2] += dab[0] * uv[0] + dab[1] * uv[1];
+            f[0] -= SHI_C(m) * SHI_FMA(ab[0], uv[2], ab[1] * uv[3]);
+            f[1] += SHI_C(m) * SHI_FMA(ab[0], uv[3], -(ab[1] * uv[2]));
+            f[2] = SHI_FMA(dab[0], uv[0], SHI_FMA(dab[1], uv[1], f[2]));
         }
     }
 }
@@ -1077,7 +1077,7 @@ SHI_KERNEL int SHI_KN(shi_sums)(int n, int horner, int with_grad, const SHI_T *a
             SHI_T out[4][SHI_W];
             SHI_STORE(out[0], value);
             if (with_grad) {
-                const SHI_V radial = u[0] * f[0] + u[1] * f[1] + u[2] * f[2];
+                const SHI_V radial = SHI_FMA(u[0], f[0], SHI_FMA(u[1], f[1], u[2] * f[2]));
                 for (k = 0; k < 3; k++) SHI_STORE(out[k + 1], inverse * (f[k] - radial * u[k]));
             }
             for (i = 0; i < lanes; i++) {
@@ -1194,7 +1194,7 @@ SHI_KERNEL void SHI_KN(shi_light_weights)(int n, int kinds, const SHI_KN(shi_lig
         if (l > 0) {                                            /* P_l' and P_l by differences, as in shi_cap */
             const SHI_T r = SHI_FN(shi_reciprocal)[l];
             slope = SHI_FMA(-o->kappa, slope, SHI_FMA(SHI_SPLAT(SHI_C(l)), p, slope));
-            step = (SHI_C(l - 1) * r) * step - (SHI_C(2 * l - 1) * r) * (o->kappa * p);
+            step = SHI_FMA((SHI_C(1 - 2 * l) * r) * o->kappa, p, (SHI_C(l - 1) * r) * step);
             p = p + step;
             f = k * (slope * (r * SHI_FN(shi_reciprocal)[l + 1]));
         }
@@ -1458,7 +1458,7 @@ SHI_KERNEL void SHI_BN(shi_column)(int m, int n, const SHI_V a[3], SHI_V *q)
     for (l = m; l < n; l++) {
         if (l > m) {
             const SHI_T r = SHI_FN(shi_reciprocal)[l + m];
-            d = (SHI_C(l - 1 - m) * r) * d - ((SHI_C(2 * l - 1) * r) * a[1]) * p;
+            d = SHI_FMA((SHI_C(1 - 2 * l) * r) * a[1], p, (SHI_C(l - 1 - m) * r) * d);
             p = p + d;
         }
         q[l] = SHI_FN(shi_pole)[SHI_ROWS(l, m)] * ((l - m) & 1 ? a[2] * p : p);
@@ -1516,7 +1516,7 @@ SHI_KERNEL void SHI_BN(shi_gradient)(int n, int single, const SHI_V u[3], SHI_V 
         SHI_LOOP
         for (l = m; l < n; l++) {
             const SHI_V q = q0[l], d = l > m ? SHI_FN(shi_slope)[SHI_ROWS(l, m)] * q1[l] : SHI_SPLAT(0);
-            const SHI_V b = m == 0 ? z * d : l > m ? SHI_C(m) * q + z * d : SHI_C(m) * q;      /* u.F', over U_m */
+            const SHI_V b = m == 0 ? z * d : l > m ? SHI_FMA(z, d, SHI_C(m) * q) : SHI_C(m) * q;   /* u.F', over U_m */
             const SHI_V e = l > m ? d - z * b : -z * b;                                        /* F'_z - z u.F' */
             const int at = l * l + l;
             if (m == 0) {
@@ -1544,23 +1544,23 @@ SHI_KERNEL void SHI_BN(shi_gradient)(int n, int single, const SHI_V u[3], SHI_V 
 SHI_KERNEL void SHI_BN(shi_second)(int single, const SHI_V u[3], SHI_V i, SHI_V value, const SHI_V f[3], const SHI_V h[6],
                                    SHI_T *y, SHI_T *g, int g_plane, SHI_T *out, int plane)
 {
-    const SHI_V k = u[0] * f[0] + u[1] * f[1] + u[2] * f[2], ii = i * i;
-    const SHI_V wx = h[0] * u[0] + h[1] * u[1] + h[2] * u[2];
-    const SHI_V wy = h[1] * u[0] + h[3] * u[1] + h[4] * u[2];
-    const SHI_V wz = h[2] * u[0] + h[4] * u[1] + h[5] * u[2];
-    const SHI_V half = SHI_C(0.5) * ((wx * u[0] + wy * u[1] + wz * u[2]) + k);
+    const SHI_V k = SHI_FMA(u[0], f[0], SHI_FMA(u[1], f[1], u[2] * f[2])), ii = i * i;
+    const SHI_V wx = SHI_FMA(h[0], u[0], SHI_FMA(h[1], u[1], h[2] * u[2]));
+    const SHI_V wy = SHI_FMA(h[1], u[0], SHI_FMA(h[3], u[1], h[4] * u[2]));
+    const SHI_V wz = SHI_FMA(h[2], u[0], SHI_FMA(h[4], u[1], h[5] * u[2]));
+    const SHI_V half = SHI_C(0.5) * SHI_FMA(wx, u[0], SHI_FMA(wy, u[1], SHI_FMA(wz, u[2], k)));
     const SHI_V tx = f[0] - k * u[0], ty = f[1] - k * u[1], tz = f[2] - k * u[2];
     const SHI_V px = wx + tx - half * u[0], py = wy + ty - half * u[1], pz = wz + tz - half * u[2];
     SHI_PUT(y, value, single);
     SHI_PUT(g, i * tx, single);
     SHI_PUT(g + g_plane, i * ty, single);
     SHI_PUT(g + 2 * g_plane, i * tz, single);
-    SHI_PUT(out, ii * (h[0] - (u[0] * px + u[0] * px) - k), single);
-    SHI_PUT(out + plane, ii * (h[1] - (u[0] * py + px * u[1])), single);
-    SHI_PUT(out + 2 * plane, ii * (h[2] - (u[0] * pz + px * u[2])), single);
-    SHI_PUT(out + 3 * plane, ii * (h[3] - (u[1] * py + u[1] * py) - k), single);
-    SHI_PUT(out + 4 * plane, ii * (h[4] - (u[1] * pz + py * u[2])), single);
-    SHI_PUT(out + 5 * plane, ii * (h[5] - (u[2] * pz + u[2] * pz) - k), single);
+    SHI_PUT(out, ii * (SHI_FMA(SHI_C(-2) * u[0], px, h[0]) - k), single);
+    SHI_PUT(out + plane, ii * (h[1] - SHI_FMA(u[0], py, px * u[1])), single);
+    SHI_PUT(out + 2 * plane, ii * (h[2] - SHI_FMA(u[0], pz, px * u[2])), single);
+    SHI_PUT(out + 3 * plane, ii * (SHI_FMA(SHI_C(-2) * u[1], py, h[3]) - k), single);
+    SHI_PUT(out + 4 * plane, ii * (h[4] - SHI_FMA(u[1], pz, py * u[2])), single);
+    SHI_PUT(out + 5 * plane, ii * (SHI_FMA(SHI_C(-2) * u[2], pz, h[5]) - k), single);
 }
 
 /* y[N], g[3][N], h[6][N] of Y(v/|v|) */
@@ -1666,8 +1666,8 @@ SHI_KERNEL void SHI_BN(shi_angles)(int n, SHI_V ct, SHI_V st, SHI_V cp, SHI_V sp
     for (m = 0; m < n; m++) {
         SHI_V q0 = SHI_SPLAT(0), q1 = SHI_SPLAT(1), t0 = q0, t1 = q0;
         if (m > 0) {
-            const SHI_V next = m == 1 ? -cp : x * c1 - v * s1;
-            s1 = m == 1 ? -sp : x * s1 + v * c1;
+            const SHI_V next = m == 1 ? -cp : SHI_FMA(x, c1, -(v * s1));
+            s1 = m == 1 ? -sp : SHI_FMA(x, s1, v * c1);
             c1 = next;
             c = st * c1;
             s = st * s1;
@@ -1678,7 +1678,7 @@ SHI_KERNEL void SHI_BN(shi_angles)(int n, SHI_V ct, SHI_V st, SHI_V cp, SHI_V sp
             const int at = l * l + l;
             SHI_V q, t;
             if (l > m) {
-                const SHI_V next = ct * q1 - beta * q0, slope = (ct * t1 - st * q1) - beta * t0;
+                const SHI_V next = SHI_FMA(ct, q1, -beta * q0), slope = SHI_FMA(ct, t1, SHI_FMA(-st, q1, -beta * t0));
                 q0 = q1;
                 q1 = next;
                 t0 = t1;
@@ -1694,8 +1694,8 @@ SHI_KERNEL void SHI_BN(shi_angles)(int n, SHI_V ct, SHI_V st, SHI_V cp, SHI_V sp
                 const SHI_V w = SHI_C(m) * (ct * q), yc = q * c, s_ = q * s;
                 SHI_STORE(y + (at + m) * stride, yc);
                 SHI_STORE(y + (at - m) * stride, s_);
-                SHI_STORE(dt + (at + m) * stride, w * c1 + t * c);
-                SHI_STORE(dt + (at - m) * stride, w * s1 + t * s);
+                SHI_STORE(dt + (at + m) * stride, SHI_FMA(w, c1, t * c));
+                SHI_STORE(dt + (at - m) * stride, SHI_FMA(w, s1, t * s));
                 SHI_STORE(dp + (at + m) * stride, SHI_C(-m) * s_);
                 SHI_STORE(dp + (at - m) * stride, SHI_C(m) * yc);
             }
