@@ -1855,12 +1855,13 @@ SHI_NOINLINE int SHI_FN(shi_light_field)(int n, size_t count, const SHI_T *dirs,
     int i, k;
     memset(sum, 0, sizeof sum);
     for (t = 0; t < count; t++) {
-        const SHI_T *const w = dirs + 3 * t, *const a = normals + 3 * t;
+        const SHI_T *const w = dirs + 3 * t, *a;
         const SHI_T power = solid_angles[t] * radiance[t];
         SHI_T u[3], inverse, facing, least, scale;
         if (!SHI_MANY(shi_single_gradient)(n, w, y, grad ? g : NULL)) return SHI_FN(shi_direction_status)(w);
         for (i = 0; i < size; i++) sum[0][i] += power * y[i];
         if (!grad) continue;
+        a = normals + 3 * t;
         if (depth[t] <= 0) return SH_ERROR_RADIUS;
         if (!SHI_FN(shi_finite)(a, 3) || SHI_FN(shi_is_nan)(depth[t])) return SH_ERROR_NOT_FINITE;
         if (!SHI_FN(shi_finite)(depth + t, 1)) continue;
