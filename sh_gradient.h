@@ -40,7 +40,8 @@
  *
  * DOES NOT
  *     denormal or overflowing geometry: lengths from 1e-18 to 1e18 in float (1e-150 .. 1e150 in double)
- *     bit-identity between instruction sets or compilers; within one build a batch has the bits of its single items
+ *     bit-identity between instruction sets or compilers; within one build, -ffast-math aside, a batch has the bits of
+ *     its single items
  *
  * SOURCES
  *     M22   Mezieres et al. 2022, spherical lights and SH gradients (equation numbers are theirs)
@@ -92,17 +93,14 @@ enum {
 #  define SHI_INLINE   static __inline__ __attribute__((__unused__))
 #  define SHI_KERNEL   static __inline__ __attribute__((__always_inline__, __unused__))
 #  define SHI_NOINLINE static __attribute__((__noinline__, __unused__))
-#  define SHI_RESTRICT __restrict__
 #elif defined(_MSC_VER)
 #  define SHI_INLINE   static __inline
 #  define SHI_KERNEL   static __forceinline
 #  define SHI_NOINLINE static __declspec(noinline)
-#  define SHI_RESTRICT __restrict
 #else
 #  define SHI_INLINE   static inline
 #  define SHI_KERNEL   static inline
 #  define SHI_NOINLINE static inline
-#  define SHI_RESTRICT
 #endif
 #ifndef SH_API
 #  define SH_API SHI_INLINE
@@ -270,7 +268,7 @@ SHI_INLINE int shi_overlap(const void *a, size_t a_bytes, const void *b, size_t 
 #  else
 #    define SHI_LANES 8
 #  endif
-#  define SHI_MANY_LANES SHI_LANES
+#  define SHI_MANY_LANES SHI_LANES        /* tells kernels that they are the register-wide instance */
 #  include SH_GRADIENT_FILENAME
 #  undef  SHI_LANES
 #  undef  SHI_BYTES
