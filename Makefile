@@ -19,6 +19,15 @@ TABLE_CHECKS := check-tables-gradient
 .PHONY: all deps test demo gl-demo gl-bench bench bench-quick fuzz tables check-tables sizes install clean help
 .PHONY: tables-gradient check-tables-gradient
 
+# The rules look up what is installed while they are read: `make deps demo` on a bare machine installs before that.
+ifneq ($(filter deps,$(MAKECMDGOALS)),)
+ifeq ($(findstring n,$(firstword -$(MAKEFLAGS))),)
+ifneq ($(shell sh tools/deps.sh >&2 || echo failed),)
+$(error make deps did not succeed)
+endif
+endif
+endif
+
 include $(sort $(wildcard tests/rules.mk bench/rules.mk tools/rules.mk examples/*/rules.mk))
 
 # the headers on WebAssembly's SIMD, in node

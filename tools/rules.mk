@@ -3,8 +3,8 @@ PREFIX  ?= /usr/local
 VERSION := $(shell sed -n 's/^\# *define SH_VERSION_M[AI][JN]OR *\([0-9]*\).*/\1./p; s/^\# *define SH_VERSION_PATCH *\([0-9]*\).*/\1/p' \
 	sh_gradient.h 2>/dev/null | tr -d '\n')
 
-deps:
-	@sh tools/deps.sh
+# done by the Makefile while it is read
+deps: ; @:
 
 # Headers, pkg-config file and CMake package: the same files as `cmake --install` puts there.
 install:
