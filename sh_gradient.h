@@ -151,6 +151,7 @@ enum {
 #endif
 
 #define SHI_STAGE 32768                                 /* bytes of stack a plain batch may use */
+#define SHI_AHEAD 4                                     /* registers of directions normalised before they are evaluated */
 #define SHI_POOL 400                                    /* vectors on the stack: weights of a block of lights ... */
 #define SHI_SUMS 800                                    /* ... running sums ... */
 #define SHI_LIGHTS_AT_ONCE 16                           /* ... and most vectors of lights in a block */
@@ -232,7 +233,7 @@ SHI_INLINE int shi_overlap(const void *a, size_t a_bytes, const void *b, size_t 
 #  define SHI_EPS       1.1920929e-7f
 #  define SHI_MIN2      1e-36f              /* range of a squared length */
 #  define SHI_MAX2      1e37f
-#  define SHI_NEAR      4e-3f               /* | |v|^2 - 1 | below which two Newton terms normalise v */
+#  define SHI_NEAR      1e-4f               /* | |v|^2 - 1 | below which one Newton step normalises v */
 #  define SHI_LIBM(name) SHI_CAT(name, f)
 #else
 #  define SHI_T         double
@@ -241,7 +242,7 @@ SHI_INLINE int shi_overlap(const void *a, size_t a_bytes, const void *b, size_t 
 #  define SHI_EPS       2.220446049250313e-16
 #  define SHI_MIN2      1e-301
 #  define SHI_MAX2      1e301
-#  define SHI_NEAR      4e-6
+#  define SHI_NEAR      4e-9
 #  define SHI_LIBM(name) name
 #endif
 #define SHI_C(c)        ((SHI_T)(c))
@@ -570,18 +571,19 @@ SHI_KERNEL SHI_V SHI_KN(shi_length2)(const SHI_V v[3])
 {
     return SHI_FMA(v[0], v[0], SHI_FMA(v[1], v[1], v[2] * v[2]));
 }
-/* z^2 - 1/2 of a unit vector, exact to half an ulp of 1/2 at the poles and relatively at the equator */
-SHI_KERNEL SHI_V SHI_KN(shi_polar_t)(const SHI_V u[3])
-{
-    const SHI_V r2 = SHI_FMA(u[0], u[0], u[1] * u[1]);
-    return SHI_SELECT((SHI_M)(r2 < SHI_C(0.5)), SHI_C(0.5) - r2, SHI_FMA(u[2], u[2], SHI_SPLAT(SHI_C(-0.5))));
-}
 /* (c, s) times (x, y) as complex numbers */
 SHI_KERNEL void SHI_KN(shi_turn)(SHI_V x, SHI_V y, SHI_V *c, SHI_V *s)
 {
     const SHI_V t = SHI_FMA(x, *c, -(y * *s));
     *s = SHI_FMA(x, *s, y * *c);
     *c = t;
+}
+/* (x, y) squared; additions, for machines whose multipliers are busy */
+SHI_KERNEL void SHI_KN(shi_square)(SHI_V x, SHI_V y, SHI_V *c, SHI_V *s)
+{
+    const SHI_V xy = x * y;
+    *c = (x - y) * (x + y);
+    *s = xy + xy;
 }
 /* p = { U, V of m; of m-1; of 2 } from those of m-1, U_m + i V_m = (-x - iy)^m: two short chains instead of a long one */
 SHI_KERNEL void SHI_KN(shi_power)(int m, const SHI_V u[3], SHI_V p[6])
@@ -596,9 +598,11 @@ SHI_KERNEL void SHI_KN(shi_power)(int m, const SHI_V u[3], SHI_V p[6])
         p[0] = -u[0];
         p[1] = -u[1];
     } else if (m == 2) {
-        SHI_KN(shi_turn)(c, s, &p[0], &p[1]);
+        SHI_KN(shi_square)(c, s, &p[0], &p[1]);
         p[4] = p[0];
         p[5] = p[1];
+    } else if (m == 4) {
+        SHI_KN(shi_square)(p[4], p[5], &p[0], &p[1]);
     } else {
         p[0] = p[2];
         p[1] = p[3];
@@ -655,25 +659,26 @@ SHI_KERNEL int SHI_KN(shi_in_range)(SHI_V v, SHI_T lo, SHI_T hi)
     return !SHI_ANY(SHI_KN(shi_out_of)(v, lo, hi));
 }
 
-/* v/|v| of a nearly unit v, e = |v|^2 - 1: 1/sqrt(1 + e) = 1 - e/2 + 3/8 e^2, and the length right to eps/4 */
-SHI_KERNEL SHI_V SHI_KN(shi_polish)(const SHI_V v[3], SHI_V u[3])
+/* u = v/|v| of a nearly unit v, and u[3] = z^2 - 1/2 = 1/2 - (x^2 + y^2), exact to eps/4 at the poles and the equator: what
+ * rounding does to x^2 + y^2 is in e = |v|^2 - 1 as well, and cancels. 1/sqrt(1 + e) = 1 - e/2, the length right to eps/4 */
+SHI_KERNEL SHI_V SHI_KN(shi_polish)(const SHI_V v[3], SHI_V u[4])
 {
-    const SHI_V e = SHI_FMA(v[0], v[0], SHI_FMA(v[1], v[1], SHI_FMA(v[2], v[2], SHI_SPLAT(-1))));
-    const SHI_V s = e * (SHI_C(0.375) * e - SHI_C(0.5));
+    const SHI_V r2 = SHI_FMA(v[0], v[0], v[1] * v[1]), e = SHI_FMA(v[2], v[2], SHI_SPLAT(-1)) + r2, s = SHI_C(-0.5) * e;
     int k;
     for (k = 0; k < 3; k++) u[k] = SHI_FMA(v[k], s, v[k]);
+    u[3] = SHI_FMA(r2, e, SHI_C(0.5) - r2);
     return e;
 }
 
 /* unit vectors of nearly unit ones; 0 if one is not */
-SHI_KERNEL int SHI_KN(shi_nearly_unit)(const SHI_V v[3], SHI_V u[3])
+SHI_KERNEL int SHI_KN(shi_nearly_unit)(const SHI_V v[3], SHI_V u[4])
 {
     return SHI_KN(shi_in_range)(SHI_ABS(SHI_KN(shi_polish)(v, u)), 0, SHI_NEAR);
 }
 
 /* unit vectors and 1/length of vectors of any length; 0 if one is out of range. `alike`: a nearly unit one gets the bits of
  * shi_nearly_unit, whatever its company in the register */
-SHI_KERNEL int SHI_KN(shi_unit)(const SHI_V v[3], int alike, SHI_V u[3], SHI_V *inverse)
+SHI_KERNEL int SHI_KN(shi_unit)(const SHI_V v[3], int alike, SHI_V u[4], SHI_V *inverse)
 {
     const SHI_V r2 = SHI_KN(shi_length2)(v), i = SHI_C(1) / SHI_SQRT(r2);
     SHI_V w[3], scale = i;
@@ -945,18 +950,18 @@ SHI_NOINLINE int SHI_KN(shi_single_hessian)(int n, const SHI_T v[3], SHI_T *y, S
  * (1 + sqrt 2)^(l/2) at worst (52 at l = 9), in z by its square. Beyond, the columns of the basis run beside the sums. */
 
 #if SHI_LANES == 1
-/* a[N]: per m, per parity of l-m, cos then sin, highest power first */
+/* a[N]: per m from the highest, per parity of l-m, cos then -sin, highest power first */
 SHI_INLINE void SHI_FN(shi_horner_form)(int n, const SHI_T *c, SHI_T *a)
 {
     int m, parity, sign, k, d;
-    for (m = 0; m < n; m++)
+    for (m = n - 1; m >= 0; m--)
         for (parity = 0; parity < 2 && parity < n - m; parity++)
             for (sign = 1; sign >= (m ? -1 : 1); sign -= 2)
                 for (k = (n - 1 - m - parity) / 2; k >= 0; k--) {
                     SHI_T sum = 0;
                     for (d = 2 * k + parity; d < n - m; d += 2)
                         sum += c[(m + d) * (m + d + 1) + sign * m] * SHI_FN(shi_horner)[SHI_HORNER(m + d, m) + k];
-                    *a++ = sum;
+                    *a++ = (SHI_T)sign * sum;
                 }
 }
 
@@ -992,17 +997,25 @@ SHI_KERNEL void SHI_KN(shi_sum_column)(int m, const SHI_V ab[2], const SHI_V dab
     }
 }
 
-SHI_KERNEL void SHI_KN(shi_sum_horner)(int n, int with_grad, const SHI_T *a, const SHI_V u[3], SHI_V *value, SHI_V f[3])
+/* (a, b) += (x + iy) (p, q) */
+SHI_KERNEL void SHI_KN(shi_add_turned)(SHI_V x, SHI_V y, const SHI_V p[2], SHI_V a[2])
 {
-    const SHI_V z = u[2], t = SHI_KN(shi_polar_t)(u), z2 = z + z;
-    SHI_V uv[6];
+    const SHI_V p0 = p[0], p1 = p[1];
+    a[0] = SHI_FMA(x, p0, SHI_FMA(-y, p1, a[0]));
+    a[1] = SHI_FMA(x, p1, SHI_FMA(y, p0, a[1]));
+}
+
+/* Re sum (A_m(z) - i B_m(z)) (-x - iy)^m by Horner in m too, and its derivatives by z and by the complex number likewise */
+SHI_KERNEL void SHI_KN(shi_sum_horner)(int n, int with_grad, const SHI_T *a, const SHI_V u[4], SHI_V *value, SHI_V f[3])
+{
+    const SHI_V x = -u[0], y = -u[1], z = u[2], t = u[3], z2 = z + z;
+    SHI_V s[2], by_z[2], by_w[2];
     int m, parity, sign, k;
-    SHI_KN(shi_power)(0, u, uv);
+    s[0] = s[1] = by_z[0] = by_z[1] = by_w[0] = by_w[1] = SHI_SPLAT(0);
     SHI_UNROLL
-    for (m = 0; m < n; m++) {
+    for (m = n - 1; m >= 0; m--) {
         SHI_V ab[2], dab[2];
         ab[0] = ab[1] = dab[0] = dab[1] = SHI_SPLAT(0);
-        if (m > 0) SHI_KN(shi_power)(m, u, uv);
         SHI_UNROLL
         for (parity = 0; parity < 2; parity++) {
             if (parity < n - m) {
@@ -1021,11 +1034,32 @@ SHI_KERNEL void SHI_KN(shi_sum_horner)(int n, int with_grad, const SHI_T *a, con
                 }
             }
         }
-        SHI_KN(shi_sum_column)(m, ab, dab, uv, with_grad, value, f);
+        if (with_grad) {
+            SHI_V next[2];
+            next[0] = s[0];
+            next[1] = s[1];
+            if (m < n - 2) {
+                SHI_KN(shi_add_turned)(x, y, by_w, next);
+                SHI_KN(shi_add_turned)(x, y, by_z, dab);
+            }
+            by_w[0] = next[0];
+            by_w[1] = next[1];
+            by_z[0] = dab[0];
+            by_z[1] = dab[1];
+        }
+        if (m < n - 1) SHI_KN(shi_add_turned)(x, y, s, ab);
+        s[0] = ab[0];
+        s[1] = ab[1];
+    }
+    *value = s[0];
+    if (with_grad) {
+        f[0] = -by_w[0];
+        f[1] = by_w[1];
+        f[2] = by_z[0];
     }
 }
 
-SHI_KERNEL void SHI_KN(shi_sum_forward)(int n, int with_grad, const SHI_T *a, const SHI_V u[3], SHI_V *value, SHI_V f[3])
+SHI_KERNEL void SHI_KN(shi_sum_forward)(int n, int with_grad, const SHI_T *a, const SHI_V u[4], SHI_V *value, SHI_V f[3])
 {
     SHI_V uv[6], polar[3], column[2][SH_MAX_BANDS];
     int l, m;
@@ -1056,36 +1090,42 @@ SHI_KERNEL void SHI_KN(shi_sum_forward)(int n, int with_grad, const SHI_T *a, co
 SHI_KERNEL int SHI_KN(shi_sums)(int n, int horner, int with_grad, const SHI_T *a, size_t count, const SHI_T *dirs,
                                SHI_T *values, SHI_T *grads)
 {
-    int status = SH_OK, i, k;
-    size_t p;
-    for (p = 0; p < count; p += SHI_W) {
-        const int lanes = count - p < SHI_W ? (int)(count - p) : SHI_W;
-        SHI_V v[3], u[3], f[3], inverse = SHI_SPLAT(0), value = inverse;
-        int good = 1;
-        f[0] = f[1] = f[2] = value;
-        SHI_KN(shi_load3)(dirs + 3 * p, lanes, v);
-        if (with_grad || !SHI_KN(shi_nearly_unit)(v, u)) good = SHI_KN(shi_unit)(v, !with_grad, u, &inverse);
-        if (horner) SHI_KN(shi_sum_horner)(n, with_grad, a, u, &value, f);
-        else SHI_KN(shi_sum_forward)(n, with_grad, a, u, &value, f);
-        if (good && lanes == SHI_W && !with_grad) {
-            SHI_STORE(values + p, value);
-            continue;
+    SHI_V u[SHI_AHEAD][5];
+    int good[SHI_AHEAD], status = SH_OK, i, k;
+    size_t first, ahead, j;
+    for (first = 0; first < count; first += ahead * SHI_W) {
+        ahead = (count - first + SHI_W - 1) / SHI_W < SHI_AHEAD ? (count - first + SHI_W - 1) / SHI_W : SHI_AHEAD;
+        for (j = 0; j < ahead; j++) {
+            const size_t rest = count - first - j * SHI_W;
+            SHI_V v[3];
+            SHI_KN(shi_load3)(dirs + 3 * (first + j * SHI_W), rest < SHI_W ? (int)rest : SHI_W, v);
+            good[j] = (!with_grad && SHI_KN(shi_nearly_unit)(v, u[j])) || SHI_KN(shi_unit)(v, !with_grad, u[j], &u[j][4]);
         }
-        {
-            SHI_T out[4][SHI_W];
-            SHI_STORE(out[0], value);
-            if (with_grad) {
-                const SHI_V radial = SHI_FMA(u[0], f[0], SHI_FMA(u[1], f[1], u[2] * f[2]));
-                for (k = 0; k < 3; k++) SHI_STORE(out[k + 1], inverse * (f[k] - radial * u[k]));
-            }
-            for (i = 0; i < lanes; i++) {
-                const SHI_T *const d = dirs + 3 * (p + (size_t)i);
-                if (!good && !SHI_ONE(shi_in_range)(d[0] * d[0] + d[1] * d[1] + d[2] * d[2], SHI_MIN2, SHI_MAX2)) {
-                    status = SHI_FN(shi_direction_status)(d);
-                    continue;
+        for (j = 0; j < ahead; j++) {
+            const size_t p = first + j * SHI_W;
+            const int lanes = count - p < SHI_W ? (int)(count - p) : SHI_W;
+            SHI_V f[3], value = SHI_SPLAT(0);
+            f[0] = f[1] = f[2] = value;
+            if (horner) SHI_KN(shi_sum_horner)(n, with_grad, a, u[j], &value, f);
+            else SHI_KN(shi_sum_forward)(n, with_grad, a, u[j], &value, f);
+            if (good[j] && lanes == SHI_W && !with_grad) {
+                SHI_STORE(values + p, value);
+            } else {
+                SHI_T out[4][SHI_W];
+                SHI_STORE(out[0], value);
+                if (with_grad) {
+                    const SHI_V radial = SHI_FMA(u[j][0], f[0], SHI_FMA(u[j][1], f[1], u[j][2] * f[2]));
+                    for (k = 0; k < 3; k++) SHI_STORE(out[k + 1], u[j][4] * (f[k] - radial * u[j][k]));
                 }
-                if (values) values[p + (size_t)i] = out[0][i];
-                for (k = 0; k < 3 && with_grad; k++) grads[3 * (p + (size_t)i) + (size_t)k] = out[k + 1][i];
+                for (i = 0; i < lanes; i++) {
+                    const SHI_T *const d = dirs + 3 * (p + (size_t)i);
+                    if (!good[j] && !SHI_ONE(shi_in_range)(d[0] * d[0] + d[1] * d[1] + d[2] * d[2], SHI_MIN2, SHI_MAX2)) {
+                        status = SHI_FN(shi_direction_status)(d);
+                        continue;
+                    }
+                    if (values) values[p + (size_t)i] = out[0][i];
+                    for (k = 0; k < 3 && with_grad; k++) grads[3 * (p + (size_t)i) + (size_t)k] = out[k + 1][i];
+                }
             }
         }
     }
@@ -1334,7 +1374,7 @@ SHI_KERNEL int SHI_KN(shi_sample_geometry)(const SHI_T *dirs, const SHI_T *weigh
                                            SHI_KN(shi_light) *o)
 {
     const int lanes = count - first < SHI_W ? (int)(count - first) : SHI_W;
-    SHI_V v[3], u[3];
+    SHI_V v[3], u[4];
     SHI_T w[SHI_W];
     int i, ok;
     SHI_KN(shi_load3)(dirs + 3 * first, lanes, v);
@@ -1426,11 +1466,11 @@ SHI_NOINLINE int SHI_KN(shi_moments_hessian)(int n, const SHI_T *point, size_t c
 #elif SHI_ROOM == SHI_BASIS
 
 /* what the columns need of a unit vector: z, and t or w with the sign of z */
-SHI_KERNEL void SHI_BN(shi_polar)(const SHI_V u[3], SHI_V a[3])
+SHI_KERNEL void SHI_BN(shi_polar)(const SHI_V u[4], SHI_V a[3])
 {
     a[0] = u[2];
 #if SHI_FIXED
-    a[1] = a[2] = SHI_KN(shi_polar_t)(u);
+    a[1] = a[2] = u[3];
 #else
     a[1] = SHI_FMA(u[0], u[0], u[1] * u[1]) / (SHI_C(1) + SHI_ABS(u[2]));
     a[2] = SHI_SELECT((SHI_M)(u[2] < SHI_SPLAT(0)), SHI_SPLAT(-1), SHI_SPLAT(1));
@@ -1465,7 +1505,7 @@ SHI_KERNEL void SHI_BN(shi_column)(int m, int n, const SHI_V a[3], SHI_V *q)
 }
 
 /* y[N], `stride` elements from one coefficient to the next */
-SHI_KERNEL void SHI_BN(shi_values)(int n, int single, const SHI_V u[3], SHI_T *y, int stride)
+SHI_KERNEL void SHI_BN(shi_values)(int n, int single, const SHI_V u[4], SHI_T *y, int stride)
 {
     SHI_V a[3], q[SH_MAX_BANDS], p[6];
     int l, m;
@@ -1489,7 +1529,7 @@ SHI_KERNEL void SHI_BN(shi_values)(int n, int single, const SHI_V u[3], SHI_T *y
 }
 
 /* y[N], g[3][N] = dY(v/|v|)/dv at u = v/|v|, i = 1/|v|; a stride of 0 discards an output into one place */
-SHI_KERNEL void SHI_BN(shi_gradient)(int n, int single, const SHI_V u[3], SHI_V i, SHI_T *y, int y_stride, SHI_T *g, int stride)
+SHI_KERNEL void SHI_BN(shi_gradient)(int n, int single, const SHI_V u[4], SHI_V i, SHI_T *y, int y_stride, SHI_T *g, int stride)
 {
     const SHI_V z = u[2], xi = -u[0] * i, vi = -u[1] * i;
     SHI_T *const gx = g, *const gy = gx + n * n * stride, *const gz = gy + n * n * stride;
@@ -1562,7 +1602,7 @@ SHI_KERNEL void SHI_BN(shi_second)(int single, const SHI_V u[3], SHI_V i, SHI_V 
 }
 
 /* y[N], g[3][N], h[6][N] of Y(v/|v|) */
-SHI_KERNEL void SHI_BN(shi_hessian)(int n, int single, const SHI_V u[3], SHI_V i, SHI_T *y, int y_stride, SHI_T *g, int g_stride,
+SHI_KERNEL void SHI_BN(shi_hessian)(int n, int single, const SHI_V u[4], SHI_V i, SHI_T *y, int y_stride, SHI_T *g, int g_stride,
                                     SHI_T *h, int stride)
 {
     const int plane = n * n * stride, g_plane = n * n * g_stride;
@@ -1617,25 +1657,35 @@ SHI_KERNEL void SHI_BN(shi_hessian)(int n, int single, const SHI_V u[3], SHI_V i
     }
 }
 
+/* W directions from a plane of SH_BLOCK: unit vector, t, 1/length; 0 if one is out of range */
+SHI_KERNEL int SHI_BN(shi_directions)(int planes, const SHI_T *dirs, SHI_V u[5])
+{
+    SHI_V v[3];
+    int k;
+    for (k = 0; k < 3; k++) v[k] = SHI_LOAD(dirs + k * SH_BLOCK);
+    return (planes == SH_VALUES && SHI_KN(shi_nearly_unit)(v, u)) || SHI_KN(shi_unit)(v, planes == SH_VALUES, u, &u[4]);
+}
+
 /* dirs[blocks][3][8] to y[N][8], g[3 N][8], h[6 N][8] per block, yn, gn, hn elements apart (0: each block over the last);
  * a stride ys, gs, hs of 0 discards an output of the looped body */
 SHI_KERNEL int SHI_BN(shi_blocks)(int n, int planes, size_t blocks, const SHI_T *dirs, SHI_T *y, size_t yn,
                                   int ys, SHI_T *g, size_t gn, int gs, SHI_T *h, size_t hn, int hs)
 {
     const size_t vectors = SHI_W < SH_BLOCK ? SH_BLOCK / SHI_W : 1, all = blocks * vectors;
-    SHI_V ahead[8 * SH_BLOCK / SHI_W][4];                       /* unit vectors first: their long latency overlaps */
-    int valid[8 * SH_BLOCK / SHI_W], status = SH_OK, k;
+    SHI_V ahead[SHI_AHEAD][5];                              /* unit vectors first: their long latency overlaps */
+    int valid[SHI_AHEAD], status = SH_OK, k;
     size_t at, first, count;
     for (first = 0; first < all; first += count) {
-        count = all - first < 8 * vectors ? all - first : 8 * vectors;
+        count = all - first < SHI_AHEAD ? all - first : SHI_AHEAD;
         for (at = 0; at < count; at++) {
             const SHI_T *const d = dirs + (first + at) / vectors * (3 * SH_BLOCK) + (first + at) % vectors * SHI_W;
-            SHI_V v[3];
+            SHI_V v[3], *const u = ahead[at];
             for (k = 0; k < 3; k++) v[k] = SHI_LOAD(d + k * SH_BLOCK);
-            valid[at] = (planes == SH_VALUES && SHI_KN(shi_nearly_unit)(v, ahead[at])) || SHI_KN(shi_unit)(v, planes == SH_VALUES, ahead[at], &ahead[at][3]);
+            valid[at] = (planes == SH_VALUES && SHI_KN(shi_nearly_unit)(v, u)) || SHI_KN(shi_unit)(v, planes == SH_VALUES, u, &u[4]);
         }
         for (at = 0; at < count; at++) {
             const size_t b = (first + at) / vectors, lane = (first + at) % vectors * SHI_W;
+            const SHI_V *const u = ahead[at];
             SHI_T *const yb = y + b * yn + (ys ? lane : 0), *const gb = g + b * gn + (gs ? lane : 0);
             SHI_T *const hb = h + b * hn + (hs ? lane : 0);
             if (!valid[at]) {
@@ -1643,11 +1693,11 @@ SHI_KERNEL int SHI_BN(shi_blocks)(int n, int planes, size_t blocks, const SHI_T 
                                                        gb, gs, gs != 0, hb, hs, hs != 0);
                 status = bad ? bad : status;
             } else if (planes == SH_VALUES) {
-                SHI_BN(shi_values)(n, 0, ahead[at], yb, ys);
+                SHI_BN(shi_values)(n, 0, u, yb, ys);
             } else if (planes == SH_GRADIENT) {
-                SHI_BN(shi_gradient)(n, 0, ahead[at], ahead[at][3], yb, ys, gb, gs);
+                SHI_BN(shi_gradient)(n, 0, u, u[4], yb, ys, gb, gs);
             } else {
-                SHI_BN(shi_hessian)(n, 0, ahead[at], ahead[at][3], yb, ys, gb, gs, hb, hs);
+                SHI_BN(shi_hessian)(n, 0, u, u[4], yb, ys, gb, gs, hb, hs);
             }
         }
     }
@@ -1704,7 +1754,7 @@ SHI_KERNEL void SHI_BN(shi_angles)(int n, SHI_V ct, SHI_V st, SHI_V cp, SHI_V sp
 /* one direction, the registers' first lane: what a batch would give, to the bit; 0, and nothing written, when not valid */
 SHI_KERNEL int SHI_BN(shi_one)(int n, int planes, const SHI_T d[3], SHI_T *y, int ys, SHI_T *g, int gs, SHI_T *h, int hs)
 {
-    SHI_V v[3], u[3], inverse;
+    SHI_V v[3], u[4], inverse;
     int k;
     for (k = 0; k < 3; k++) v[k] = SHI_SPLAT(d[k]);
     if (planes == SH_VALUES && SHI_KN(shi_nearly_unit)(v, u)) inverse = u[0];
@@ -1796,7 +1846,7 @@ SHI_INLINE void SHI_FN(shi_cap)(int n, SHI_T s, SHI_T alpha, SHI_T i, SHI_T *f, 
 SHI_NOINLINE int SHI_FN(shi_symmetric)(int n, const SHI_T v[3], const SHI_T *f, const SHI_T *f1, const SHI_T *f2,
                                        SHI_T *c, SHI_T *g, SHI_T *h)
 {
-    SHI_T gradient[3 * SH_MAX_BANDS * SH_MAX_BANDS], u[3], i;
+    SHI_T gradient[3 * SH_MAX_BANDS * SH_MAX_BANDS], u[4], i;
     const int size = n * n;
     int l, m, k, j, p;
     if (h && !g) g = gradient;
@@ -1824,7 +1874,7 @@ SHI_NOINLINE int SHI_FN(shi_symmetric)(int n, const SHI_T v[3], const SHI_T *f, 
 
 SHI_NOINLINE int SHI_FN(shi_sphere)(int n, const SHI_T x[3], const SHI_T y[3], SHI_T r, SHI_T *c, SHI_T *g, SHI_T *h)
 {
-    SHI_T f[SH_MAX_BANDS], f1[SH_MAX_BANDS], f2[SH_MAX_BANDS], v[3], u[3], i, gap;
+    SHI_T f[SH_MAX_BANDS], f1[SH_MAX_BANDS], f2[SH_MAX_BANDS], v[3], u[4], i, gap;
     const size_t size = (size_t)(n * n) * sizeof *c;
     int k, inside;
     if (!SHI_FN(shi_finite)(x, 3) || !SHI_FN(shi_finite)(y, 3) || !SHI_FN(shi_finite)(&r, 1)) return SH_ERROR_NOT_FINITE;
@@ -1855,7 +1905,7 @@ SHI_NOINLINE int SHI_FN(shi_light_field)(int n, size_t count, const SHI_T *dirs,
     for (t = 0; t < count; t++) {
         const SHI_T *const w = dirs + 3 * t, *a;
         const SHI_T power = solid_angles[t] * radiance[t];
-        SHI_T u[3], inverse, facing, least, scale;
+        SHI_T u[4], inverse, facing, least, scale;
         if (!SHI_MANY(shi_single_gradient)(n, w, y, grad ? g : NULL)) return SHI_FN(shi_direction_status)(w);
         for (i = 0; i < size; i++) sum[0][i] += power * y[i];
         if (!grad) continue;
@@ -2051,7 +2101,7 @@ SH_API int SHI_FN(sh_eval)(int bands, const SHI_T dir[3], SHI_T *y)
 /* Basis values of many directions.
  *   dirs  [count][3]
  *   y     [count][N]
- * Nearly unit directions (| |v|^2 - 1 | < 4e-3, double 4e-6) take the fast path; another costs what sh_eval costs. */
+ * Directions with | |v|^2 - 1 | < 1e-4 (double 4e-9) are normalised by a Newton step, a fifth faster than the rest. */
 SH_API int SHI_FN(sh_eval_n)(int bands, size_t count, const SHI_T *dirs, SHI_T *y)
 {
     const int status = SHI_FN(shi_check_basis)(bands, count, dirs, y, y, NULL, NULL);
