@@ -4490,19 +4490,22 @@ typedef struct {
 
 SHI_INLINE int shi_scene_arc(const shi_scene *p, size_t i, shi_arc *e)
 {
-    shi_two a[3], d[3], n[3];
-    double v[3], u[3], r, size;
+    const size_t next = i + 1 < p->count ? i + 1 : 0;
+    shi_two a[3], b[3], d[3], n[3];
+    double v[3], to[3], u[3], r, size;
     int k;
     shi_scene_vertex(p, i, a);
-    shi_scene_edge(p, i, i + 1 < p->count ? i + 1 : 0, d);
+    shi_scene_vertex(p, next, b);
+    shi_scene_edge(p, i, next, d);
     shi_two_cross(a, d, n);
     for (k = 0; k < 3; k++) {
         v[k] = a[k].h;
+        to[k] = b[k].h;
         u[k] = d[k].h;
         e->normal[k] = n[k].h;
     }
     r = sqrt(shi_dot3(v, v));
-    e->dot = shi_dot3(v, v) + shi_dot3(v, u);
+    e->dot = shi_dot3(v, to);                               /* not A.A + A.(B-A): the point may be at B */
     size = sqrt(shi_dot3(e->normal, e->normal));
     e->gamma = 0;
     if (r < 1e-140) return -1;                              /* the extent is 1: the point is the vertex */
@@ -4704,7 +4707,7 @@ SHI_NOINLINE int shi_polygon_engine(int bands, int sides, int tight, const doubl
     const int size = bands * bands, planes = grad ? SH_GRADIENT : SH_VALUES;
     double totals[SHI_TOTALS(SHI_POLYGON_BANDS)], out[4 * SHI_POLYGON_BANDS * SHI_POLYGON_BANDS];
     double s[(SHI_POLYGON_BANDS + 1) * (SHI_POLYGON_BANDS + 2)], t[(SHI_POLYGON_BANDS + 1) * (SHI_POLYGON_BANDS + 2)];
-    double spread = 0, signed_sum = 0, volume = 0, area[3] = { 0, 0, 0 }, sign, omega = 0, plane_turn = 0;
+    double spread = 0, signed_sum = 0, volume = 0, area[3] = { 0, 0, 0 }, sign, omega = 0, plane_turn = 0, least = 4;
     shi_scene scene;
     shi_sink sink;
     shi_two first[3];
@@ -4721,7 +4724,7 @@ SHI_NOINLINE int shi_polygon_engine(int bands, int sides, int tight, const doubl
     shi_scene_vertex(&scene, 0, first);
     for (i = 1; i + 1 < count; i++) {
         shi_two d1[3], d2[3], n[3], a[3], b[3];
-        double v0[3], v1[3], v2[3], r0, r1, r2, det, solid;
+        double v0[3], v1[3], v2[3], r0, r1, r2, det, even, solid;
         shi_scene_edge(&scene, 0, i, d1);
         shi_scene_edge(&scene, 0, i + 1, d2);
         shi_two_cross(d1, d2, n);
@@ -4740,7 +4743,9 @@ SHI_NOINLINE int shi_polygon_engine(int bands, int sides, int tight, const doubl
         r0 = sqrt(shi_dot3(v0, v0));
         r1 = sqrt(shi_dot3(v1, v1));
         r2 = sqrt(shi_dot3(v2, v2));
-        solid = 2 * atan2(det, r0 * r1 * r2 + shi_dot3(v0, v1) * r2 + shi_dot3(v1, v2) * r0 + shi_dot3(v0, v2) * r1);
+        even = r0 * r1 * r2 + shi_dot3(v0, v1) * r2 + shi_dot3(v1, v2) * r0 + shi_dot3(v0, v2) * r1;
+        if (!(even > least * (r0 * r1 * r2))) least = even > 0 ? even / (r0 * r1 * r2) : 0;
+        solid = 2 * atan2(det, even);
         spread += fabs(solid);
         signed_sum += solid;
         volume += det;
@@ -4783,7 +4788,7 @@ SHI_NOINLINE int shi_polygon_engine(int bands, int sides, int tight, const doubl
     }
 
     memset(totals, 0, (size_t)SHI_TOTALS(bands) * sizeof totals[0]);
-    sink.tight = tight;
+    sink.tight = tight || spread < 1e-2;                    /* edges of a small light cancel what 2e-10 leaves */
     if (edges) {
         const int ns = bands - 1, nt = grad ? bands : 0, flux = ns * bands, slope = bands * (bands + 1);
         double before[3] = { 0, 0, 0 }, start[3] = { 0, 0, 0 }, corner[3] = { 0, 0, 0 }, c[3];
@@ -4818,8 +4823,8 @@ SHI_NOINLINE int shi_polygon_engine(int bands, int sides, int tight, const doubl
             shi_cross3(before, start, c);
             plane_turn += atan2(shi_dot3(corner, c), shi_dot3(before, start));
         }
-        /* exterior angles give the solid angle modulo 2 pi, the fan tells which; the fan alone is poor near the plane */
-        omega = -plane_turn + turn * floor((signed_sum + plane_turn) / turn + 0.5);
+        /* exterior angles give the solid angle modulo 2 pi, the fan tells which; the fan alone is poor near its sides' planes */
+        omega = least > 0.25 ? signed_sum : -plane_turn + turn * floor((signed_sum + plane_turn) / turn + 0.5);
     } else {
         const int nt = grad ? bands + 1 : 0, used = bands * (bands + 1);
         int m;
@@ -4898,7 +4903,10 @@ SHI_NOINLINE int shi_triangle_sphere(int bands, int sides, const double x[3], co
     for (k = 0; k < 3; k++) {
         e1[k] = shi_two_sum(scale * v[3 + k], -scale * v[k]);
         e2[k] = shi_two_sum(scale * v[6 + k], -scale * v[k]);
-        y[k] = (scale * v[k] - scale * x[k]) + (e1[k].h + e2[k].h) / 3;     /* centroid - point */
+        {   /* centroid - point: exact, the point may be much nearer to it than to the vertices */
+            const shi_two a = shi_two_sum(scale * v[k], -scale * x[k]), b = shi_two_sum(scale * v[3 + k], -scale * x[k]);
+            y[k] = shi_two_add(shi_two_add(a, b), shi_two_sum(scale * v[6 + k], -scale * x[k])).h / 3;
+        }
     }
     shi_two_cross(e1, e2, normal);
     for (k = 0; k < 3; k++) n[k] = normal[k].h;
