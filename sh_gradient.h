@@ -1176,29 +1176,49 @@ typedef struct {
     SHI_V first;            /* weight of band 0: 2 pi kappa, or 4 pi inside, where the others are 0                      */
 } SHI_KN(shi_light);
 
-/* returns z; adds to flags: inside, not finite, negative radius */
-SHI_KERNEL SHI_V SHI_KN(shi_light_geometry)(const SHI_T point[3], const SHI_V center[3], SHI_V radius, SHI_M flags[3],
-                                            SHI_KN(shi_light) *o)
+/* returns z; adds to flags: inside, not finite, negative radius. A register with nothing of the kind, and no light that fills
+ * half of the point's sky, meets no selection */
+SHI_KERNEL SHI_V SHI_KN(shi_light_geometry)(const SHI_T point[3], const SHI_V center[3], SHI_V radius, int kinds,
+                                            SHI_M flags[3], SHI_KN(shi_light) *o)
 {
     const SHI_V zero = SHI_SPLAT(0), one = SHI_SPLAT(1), tau = SHI_SPLAT(SHI_C(6.2831853071795865));
-    const SHI_V dx = center[0] - point[0], dy = center[1] - point[1], dz = center[2] - point[2];
-    const SHI_V r2 = SHI_FMA(dx, dx, SHI_FMA(dy, dy, dz * dz)), rough = r2 - radius * radius;
-    const SHI_M close = (SHI_M)(rough < SHI_C(0.5) * r2), dark = (SHI_M)(radius == zero);
-    const SHI_V gap = SHI_ANY(close) ? SHI_SELECT(close, SHI_KN(shi_gap)(center, point, radius), rough) : rough;
-    const SHI_M inside = (SHI_M)(gap <= zero) & (SHI_M)(radius > zero), none = dark | inside;
-    const SHI_V i = SHI_RSQRT(SHI_SELECT((SHI_M)(r2 < SHI_MIN2), one, r2)), ig = SHI_RSQRT(SHI_SELECT(none, one, gap));
-    const SHI_V s = SHI_SELECT(none, zero, radius * i), x = -(dx * i), y = -(dy * i), z = dz * i;
+    const SHI_V dx = point[0] - center[0], dy = point[1] - center[1], dz = center[2] - point[2];
+    const SHI_V r2 = SHI_FMA(dx, dx, SHI_FMA(dy, dy, dz * dz)), rough = SHI_FMA(-radius, radius, r2);
+    const SHI_M usual = SHI_BITS_OF(SHI_FMA(SHI_SPLAT(SHI_C(-0.5)), r2, rough)) | SHI_BITS_OF(radius);      /* sign bits */
+    const int plain = !SHI_ANY(usual | SHI_KN(shi_out_of)(rough, SHI_MIN2, SHI_MAX2));
+    SHI_V gap = rough, length = r2, hole = gap, s, i, ig, x, y, z, alpha;
+    SHI_M inside, none;
+    if (!plain) {
+        const SHI_M close = (SHI_M)(rough < SHI_C(0.5) * r2);
+        if (SHI_ANY(close)) gap = SHI_SELECT(close, SHI_KN(shi_gap)(center, point, radius), rough);
+        inside = (SHI_M)(gap <= zero) & (SHI_M)(radius > zero);
+        none = (SHI_M)(radius == zero) | inside;
+        hole = SHI_SELECT(none, one, gap);
+        length = SHI_SELECT((SHI_M)(r2 < SHI_MIN2), one, r2);
+        flags[0] |= inside;
+        flags[1] |= SHI_KN(shi_out_of)(SHI_ABS(gap) + SHI_ABS(radius), 0, SHI_C(SHI_BITS == 32 ? 3e38 : 1e308));
+        flags[2] |= (SHI_M)(radius < zero);
+    }
+    i = SHI_RSQRT(length);
+    ig = SHI_RSQRT(hole);
+    s = radius * i;
+    x = dx * i;
+    y = dy * i;
+    z = dz * i;
+    if (!plain) s = SHI_SELECT(none, zero, s);
     o->x = x;
     o->y = y;
-    o->inverse = i;
     o->s2 = s * s;
-    o->alpha = SHI_SELECT(none, one, (gap * ig) * i);
-    o->kappa = o->s2 / (SHI_C(1) + o->alpha);
-    o->q = o->s2 * ig;
-    o->first = SHI_SELECT(inside, tau + tau, tau * o->kappa);
-    flags[0] |= inside;
-    flags[1] |= SHI_KN(shi_out_of)(SHI_ABS(gap) + SHI_ABS(radius), 0, SHI_C(SHI_BITS == 32 ? 3e38 : 1e308));
-    flags[2] |= (SHI_M)(radius < zero);
+    alpha = (gap * ig) * i;
+    if (!plain) alpha = SHI_SELECT(none, one, alpha);
+    o->kappa = o->s2 / (SHI_C(1) + alpha);
+    if (kinds > 1) {
+        o->inverse = i;
+        o->q = o->s2 * ig;
+    }
+    if (kinds == SHI_ALL_KINDS) o->alpha = alpha;
+    o->first = tau * o->kappa;
+    if (!plain) o->first = SHI_SELECT(inside, tau + tau, o->first);
     /* as shi_polish, for z alone: near the poles it is what counts */
     return SHI_FMA(z, SHI_C(-0.5) * SHI_FMA(x, x, SHI_FMA(y, y, SHI_FMA(z, z, SHI_SPLAT(-1)))), z);
 }
@@ -1208,8 +1228,7 @@ SHI_KERNEL void SHI_KN(shi_light_powers)(SHI_V x, SHI_V y, SHI_V radiance, int l
 {
     SHI_V uc = x * radiance, us = y * radiance;
     int m;
-    c[0] = radiance;
-    v[0] = SHI_SPLAT(0);
+    c[0] = radiance;                            /* V_0 = 0 is not read */
     for (m = 1; m < levels; m++) {
         c[m * nb] = uc;
         v[m * nb] = us;
@@ -1221,11 +1240,11 @@ SHI_KERNEL void SHI_KN(shi_light_powers)(SHI_V x, SHI_V y, SHI_V radiance, int l
 SHI_KERNEL void SHI_KN(shi_light_weights)(int n, int kinds, const SHI_KN(shi_light) *o, int levels, int nb, SHI_V *w)
 {
     const SHI_T tau = SHI_C(6.2831853071795865);
-    const SHI_V k = tau * o->s2, k1 = -tau * o->q, i = o->inverse, q = o->q;
-    SHI_V p = SHI_SPLAT(1), step = SHI_SPLAT(0), slope = step;
+    const SHI_V zero = SHI_SPLAT(0), k = tau * o->s2, i = kinds > 1 ? o->inverse : zero, q = kinds > 1 ? o->q : zero, k1 = -tau * q;
+    SHI_V p = SHI_SPLAT(1), step = zero, slope = zero;
     int l, t;
     for (t = 0; t < kinds; t++)                                 /* bands a kind does not reach */
-        for (l = 0; l < 2 && l < levels; l++) w[(t * levels + l) * nb] = w[(t * levels + levels - 1 - l) * nb] = step;
+        for (l = 0; l < 2 && l < levels; l++) w[(t * levels + l) * nb] = w[(t * levels + levels - 1 - l) * nb] = zero;
 #define SHI_WEIGHT(kind, band) w[((kind) * levels + (band)) * nb]
     for (l = 0; l < n; l++) {
         SHI_V f = tau * o->kappa;
@@ -1257,10 +1276,10 @@ SHI_KERNEL void SHI_KN(shi_light_weights)(int n, int kinds, const SHI_KN(shi_lig
                        | ((e) <= -2 ? 8u : 0u) | ((e) <= 0 ? 16u : 0u) | ((e) <= 2 ? 32u : 0u))
 
 /* `rows` bands of column m, the last one at distance e_last, over the nb vectors of a block: M22's reverse order on a CPU,
- * the sums in registers. sum[rows][kinds][2] */
-SHI_KERNEL void SHI_KN(shi_light_rows)(int rows, int kinds, int e_last, int zonal, int nb, const SHI_T beta[4], const SHI_V *z,
-                                       const SHI_V *c, const SHI_V *v, const SHI_V *w, int kind_stride, SHI_V *qa, SHI_V *qb,
-                                       SHI_V *sum)
+ * the sums in registers. first: the column starts here, with q = 1 and z; more: it goes on. sum[rows][kinds][2] */
+SHI_KERNEL void SHI_KN(shi_light_rows)(int rows, int kinds, int e_last, int zonal, int first, int more, int nb, const SHI_T beta[4],
+                                       const SHI_V *z, const SHI_V *c, const SHI_V *v, const SHI_V *w, int kind_stride,
+                                       SHI_V *qa, SHI_V *qb, SHI_V *sum)
 {
     SHI_V a[2 * SHI_ALL_KINDS], b[2 * SHI_ALL_KINDS];
     const int slots = rows * kinds;
@@ -1271,24 +1290,31 @@ SHI_KERNEL void SHI_KN(shi_light_rows)(int rows, int kinds, int e_last, int zona
         b[t] = sum[2 * t + 1];
     }
     for (i = 0; i < nb; i++) {
-        SHI_V qc[4], qs[4], q0 = qa[i], q1 = qb[i];
-        const SHI_V zi = z[i], ci = c[i], si = v[i];
+        SHI_V qc[4], qs[4], q0 = SHI_SPLAT(0), q1 = q0;
+        const SHI_V zi = z[i], ci = c[i], si = zonal ? ci : v[i];
+        if (!first) {
+            q0 = qa[i];
+            q1 = qb[i];
+        }
         SHI_UNROLL
         for (t = 0; t < rows; t++) {
-            const SHI_V q = zi * q0 - beta[t] * q1;
+            const SHI_V q = first && t == 0 ? SHI_SPLAT(1) : first && t == 1 ? zi : zi * q0 - beta[t] * q1;
+            const int one = first && t == 0;
             q1 = q0;
             q0 = q;
             if (kinds == 1) {                       /* one weight goes into q, several meet q c and q s */
-                const SHI_V wq = w[t * nb + i] * q;
+                const SHI_V wq = one ? w[t * nb + i] : w[t * nb + i] * q;
                 a[t] += wq * ci;
                 if (!zonal) b[t] += wq * si;
             } else {
-                qc[t] = q * ci;
-                if (!zonal) qs[t] = q * si;
+                qc[t] = one ? ci : q * ci;
+                if (!zonal) qs[t] = one ? si : q * si;
             }
         }
-        qa[i] = q0;
-        qb[i] = q1;
+        if (more) {
+            qa[i] = q0;
+            qb[i] = q1;
+        }
         SHI_UNROLL
         for (t = 0; t < slots; t++) {
             const int r = t / kinds, k = t % kinds;
@@ -1314,15 +1340,15 @@ SHI_KERNEL void SHI_KN(shi_light_column)(int n, int kinds, int m, int nb, const 
     SHI_V qa[SHI_LIGHTS_AT_ONCE], qb[SHI_LIGHTS_AT_ONCE];
     SHI_T beta[4];
     int j = m, i, rows;
-    for (i = 0; i < nb; i++) {
-        qa[i] = SHI_SPLAT(0);
-        qb[i] = SHI_SPLAT(1);
-    }
+#define SHI_ROWS_OF(r, e, zonal, first) \
+        SHI_KN(shi_light_rows)(r, kinds, e, zonal, first, j + (r) <= top, nb, beta, z, c, v, w + j * nb, levels * nb, qa, qb, sum)
 #define SHI_GROUP(r, e) do { \
         rows = (r); \
         for (i = 0; i < (r); i++) beta[i] = SHI_FN(shi_beta)[SHI_ROWS(j + i, m)]; \
-        if (m == 0) SHI_KN(shi_light_rows)(r, kinds, e, 1, nb, beta, z, c, v, w + j * nb, levels * nb, qa, qb, sum); \
-        else SHI_KN(shi_light_rows)(r, kinds, e, 0, nb, beta, z, c, v, w + j * nb, levels * nb, qa, qb, sum); \
+        if (m == 0 && j == m) SHI_ROWS_OF(r, e, 1, 1); \
+        else if (m == 0) SHI_ROWS_OF(r, e, 1, 0); \
+        else if (j == m) SHI_ROWS_OF(r, e, 0, 1); \
+        else SHI_ROWS_OF(r, e, 0, 0); \
     } while (0)
     for (; j <= top; j += rows, sum += 2 * rows * kinds) {
         const int left = top - j + 1;
@@ -1345,6 +1371,7 @@ SHI_KERNEL void SHI_KN(shi_light_column)(int n, int kinds, int m, int nb, const 
         }
     }
 #undef SHI_GROUP
+#undef SHI_ROWS_OF
 }
 
 /* W items of four planes from `first`; past the end the last item again, its radiance 0 */
@@ -1415,7 +1442,7 @@ SHI_KERNEL int SHI_KN(shi_moments)(int n, int kinds, const SHI_T *point, size_t 
                 if (point) {
                     SHI_V center[3], radius;
                     SHI_KN(shi_load_light)(spheres, radiance, count, one, center, &radius, &lights[i].radiance);
-                    z[i] = SHI_KN(shi_light_geometry)(point, center, radius, flags, &lights[i]);
+                    z[i] = SHI_KN(shi_light_geometry)(point, center, radius, kinds, flags, &lights[i]);
                 } else if (!SHI_KN(shi_sample_geometry)(spheres, radiance, count, one, &z[i], &lights[i])) {
                     bad = 2;
                 }
