@@ -745,25 +745,74 @@ SHI_KERNEL void SHI_KN(shi_load3)(const SHI_T *p, int lanes, SHI_V v[3])
 #endif
 }
 
+#if defined(SHI_SHUFFLE) && SHI_LANES > 1 && SHI_BYTES <= 32
+#define SHI_PIECE (128 / SHI_BITS)                      /* lanes of 16 bytes: shuffles within such pieces are the cheap ones */
+/* a0 b0 a1 b1 of every piece, from their lower and upper halves */
+SHI_KERNEL void SHI_KN(shi_zip_pieces)(SHI_V a, SHI_V b, SHI_V *lo, SHI_V *hi)
+{
+#if SHI_LANES == SHI_PIECE
+    SHI_KN(shi_zip)(a, b, lo, hi);
+#elif SHI_LANES == 4
+    *lo = __builtin_shufflevector(a, b, 0, 4, 2, 6);
+    *hi = __builtin_shufflevector(a, b, 1, 5, 3, 7);
+#else
+    *lo = __builtin_shufflevector(a, b, 0, 8, 1, 9, 4, 12, 5, 13);
+    *hi = __builtin_shufflevector(a, b, 2, 10, 3, 11, 6, 14, 7, 15);
+#endif
+}
+/* one piece from each of two places */
+SHI_KERNEL SHI_V SHI_KN(shi_load_pieces)(const SHI_T *p, const SHI_T *q)
+{
+#if SHI_LANES == SHI_PIECE
+    (void)q;
+    return SHI_LOAD(p);
+#else
+    __extension__ typedef SHI_T piece __attribute__((__vector_size__(16)));
+    piece a, b;
+    memcpy(&a, p, sizeof a);
+    memcpy(&b, q, sizeof b);
+#if SHI_LANES == 4
+    return __builtin_shufflevector(a, b, 0, 1, 2, 3);
+#else
+    return __builtin_shufflevector(a, b, 0, 1, 2, 3, 4, 5, 6, 7);
+#endif
+#endif
+}
+/* W rows of W elements, `pitch` apart, to W rows of out: a piece of W rows at a time */
+SHI_KERNEL void SHI_KN(shi_transpose_square)(const SHI_T *rows, int pitch, SHI_T *out, size_t stride)
+{
+    SHI_V a[SHI_PIECE], b[SHI_PIECE];
+    int first, i;
+    SHI_UNROLL
+    for (first = 0; first < SHI_W; first += SHI_PIECE) {
+        SHI_UNROLL
+        for (i = 0; i < SHI_PIECE; i++)
+            a[i] = SHI_KN(shi_load_pieces)(rows + i * pitch + first, rows + (i + SHI_PIECE) * pitch + first);
+#if SHI_PIECE == 4
+        SHI_KN(shi_zip_pieces)(a[0], a[2], &b[0], &b[1]);
+        SHI_KN(shi_zip_pieces)(a[1], a[3], &b[2], &b[3]);
+        SHI_KN(shi_zip_pieces)(b[0], b[2], &a[0], &a[1]);
+        SHI_KN(shi_zip_pieces)(b[1], b[3], &a[2], &a[3]);
+#else
+        SHI_KN(shi_zip_pieces)(a[0], a[1], &b[0], &b[1]);
+        a[0] = b[0];
+        a[1] = b[1];
+#endif
+        SHI_UNROLL
+        for (i = 0; i < SHI_PIECE; i++) SHI_STORE(out + (size_t)(first + i) * stride, a[i]);
+    }
+}
+#undef SHI_PIECE
+#define SHI_SQUARES
+#endif
+
 /* block[rows][W], rows `pitch` elements apart, to W rows of out, `stride` apart, the first `lanes` of them */
 SHI_KERNEL void SHI_KN(shi_transpose_block)(const SHI_T *block, int pitch, int rows, SHI_T *out, size_t stride, int lanes)
 {
     int r = 0, i;
-#if SHI_LANES > 1
+#if defined(SHI_SQUARES)
     while (lanes == SHI_W && rows >= SHI_W) {
-        SHI_V a[SHI_W], b[SHI_W];
-        int step;
-        SHI_UNROLL
-        for (i = 0; i < SHI_W; i++) a[i] = SHI_LOAD(block + (r + i) * pitch);
-        SHI_UNROLL
-        for (step = 1; step < SHI_W; step *= 2) {           /* a perfect shuffle per step transposes */
-            SHI_UNROLL
-            for (i = 0; i < SHI_W / 2; i++) SHI_KN(shi_zip)(a[i], a[i + SHI_W / 2], &b[2 * i], &b[2 * i + 1]);
-            SHI_UNROLL
-            for (i = 0; i < SHI_W; i++) a[i] = b[i];
-        }
-        SHI_UNROLL
-        for (i = 0; i < SHI_W; i++) SHI_STORE(out + (size_t)i * stride + r, a[i]);
+        SHI_KN(shi_transpose_square)(block + r * pitch, pitch, out + r, stride);
         if (r + SHI_W >= rows) return;
         r = r + 2 * SHI_W <= rows ? r + SHI_W : rows - SHI_W;   /* the last square overlaps the one before */
     }
@@ -771,6 +820,7 @@ SHI_KERNEL void SHI_KN(shi_transpose_block)(const SHI_T *block, int pitch, int r
     for (i = 0; i < lanes; i++)
         for (r = 0; r < rows; r++) out[(size_t)i * stride + (size_t)r] = block[r * pitch + i];
 }
+#undef SHI_SQUARES
 
 /* block[rows][8] to 8 rows of out */
 SHI_INLINE void SHI_KN(shi_scatter)(const SHI_T *block, int rows, SHI_T *out, size_t stride, int lanes)
@@ -850,7 +900,7 @@ SHI_NOINLINE int SHI_KN(shi_plain)(int n, int planes, size_t count, const SHI_T 
 {
     const size_t size = (size_t)(n * n), block = size * SH_BLOCK;
     SHI_T stage[SHI_STAGE / sizeof(SHI_T)], v[8][3][SH_BLOCK];
-    const size_t fit = sizeof stage / (block * (size_t)planes * sizeof(SHI_T)), most = fit < 8 ? fit : 8;
+    const size_t fit = SHI_STAGE / 4 / (block * (size_t)planes * sizeof(SHI_T)), most = fit < 1 ? 1 : fit < 8 ? fit : 8;
     SHI_T *const gb = stage + most * block, *const hb = gb + 3 * most * block;
     int status = SH_OK, i, k, bad;
     size_t p, b, items;
