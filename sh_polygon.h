@@ -3748,7 +3748,7 @@ SHI_INLINE void SHI_FN(shi_fan_normal)(const SHI_T *a, const SHI_T *b, const SHI
  * to which a rule keeps the bound. */
 #define SHI_RULES (SHI_BITS == 32 ? 4 : 11)
 typedef struct {
-    int start[12];
+    int made, start[12];
     SHI_T node[3 * (SHI_BITS == 32 ? 27 : 503)];
 } SHI_FN(shi_rules);
 
@@ -3768,6 +3768,7 @@ SHI_NOINLINE void SHI_FN(shi_make_rules)(SHI_FN(shi_rules) *r)
         { 0.47014206410511509, 0.05971587178976982, 0.066197076394253095 } };
     SHI_T *at = r->node;
     int i, j, k;
+    r->made = 1;
     for (i = 0; i < 11; i++)
         for (k = 0; k < 3; k++) *at++ = (SHI_T)few[i][k];
     r->start[0] = 0;
@@ -3951,108 +3952,138 @@ SHI_INLINE void SHI_KN(shi_polygon_above)(int n, int l, int m, int sine, const S
     }
 }
 
-/* sum over k of d h_lm/dx_k, times (2l-1), with h's degree l-1 basis replaced by the plane k of flux: cosine and sine part */
-SHI_INLINE void SHI_KN(shi_polygon_lower)(int n, int l, int m, const SHI_V *flux, SHI_V f[2])
-{
-    const SHI_V *const x = flux, *const y = flux + n * (n + 1), *const z = y + n * (n + 1);
-    const SHI_V zero = SHI_SPLAT(0);
-    f[0] = f[1] = zero;
-    if (m < l) {
-        const int at = SHI_PACKED(n, l - 1, m);
-        f[0] = SHI_C((l + m) * (l - m)) * z[at];
-        f[1] = SHI_C((l + m) * (l - m)) * z[at + 1];
-    }
-    if (m + 1 < l) {
-        const int at = SHI_PACKED(n, l - 1, m + 1);
-        const SHI_T up = (m ? SHI_C(0.5) : SHI_C(1)) * SHI_C((l - m) * (l - m - 1));
-        f[0] += up * (x[at] + y[at + 1]);
-        f[1] += up * (x[at + 1] - y[at]);
-    }
-    if (m > 0) {
-        const int at = SHI_PACKED(n, l - 1, m - 1);
-        const SHI_T down = SHI_C(0.5) * SHI_C((l + m) * (l + m - 1));
-        f[0] -= down * (m > 1 ? x[at] - y[at + 1] : x[at]);
-        f[1] -= down * (m > 1 ? x[at + 1] + y[at] : y[at]);
-    }
-}
-
 /* out[planes][N] from totals:
  *     L_lm = value + (2l+1)/(l(l+1)) sum_k <x_k Y_lm, Y_{l-1}> flux_k       since mu.grad(r^l Y) is the edge flux of Y
  *     dL/dx_k = slope_k - (l-2) <x_k Y_lm, Y_{l-1}> ray + (l+3) <x_k Y_lm, Y_{l+1}> ray      from grad(Y/r^3)
  * brackets in the monic basis, where they are rational. surface = 0: value and ray are not read. */
 SHI_INLINE void SHI_KN(shi_polygon_finish)(int n, int planes, int surface, const SHI_V *totals, SHI_V *out)
 {
-    const SHI_V *const flux = totals + SHI_FLUX_AT(n), *const slope = totals + SHI_SLOPE_AT(n), *const ray = totals + SHI_RAY_AT(n);
-    const int size = n * n, step = n * (n + 1);
+    static const SHI_T part[17] = { 0, SHI_C(1) / 2, SHI_C(1) / 18, SHI_C(1) / 60, SHI_C(1) / 140, SHI_C(1) / 270,
+        SHI_C(1) / 462, SHI_C(1) / 728, SHI_C(1) / 1080, SHI_C(1) / 1530, SHI_C(1) / 2090, SHI_C(1) / 2772, SHI_C(1) / 3588,
+        SHI_C(1) / 4550, SHI_C(1) / 5670, SHI_C(1) / 6960, SHI_C(1) / 8432 };               /* 1/(l(l+1)(2l-1)) */
+    const SHI_V *const slope = totals + SHI_SLOPE_AT(n), *const ray = totals + SHI_RAY_AT(n);
+    const int size = n * n, step = n * (n + 1), one = n * (n - 1), two = 2 * one;
     int l, m, sine, k;
-    for (l = 0; l < n; l++) {
+    for (m = 0; m < n; m++) {
+        const SHI_V *to = slope + SHI_COLUMN(n, m), *low = totals + SHI_FLUX_AT(n) + (m ? SHI_COLUMN(n - 1, m - 1) : 0);
+        const SHI_V *same = totals + SHI_FLUX_AT(n) + SHI_COLUMN(n - 1, m), *high = same + 2 * (n - 1 - m);
+        for (l = m; l < n; l++) {
+            const SHI_T norm = SHI_FN(shi_norm)[SHI_ROWS(l, m)], p = norm * part[l];
+            SHI_V *const o = out + l * (l + 1);
+            SHI_V c = SHI_SPLAT(0), s = c;                      /* columns m - 1, m and m + 1 of degree l - 1 */
+            if (m > 0) {
+                const SHI_T down = p * (SHI_C(-0.5) * SHI_C((l + m) * (l + m - 1)));
+                c = down * (low[0] - low[one + 1]);
+                s = down * (low[1] + low[one]);
+                low += 2;
+            }
+            if (l > m) {
+                const SHI_T z = p * SHI_C((l + m) * (l - m));
+                c += z * same[two];
+                s += z * same[two + 1];
+                same += 2;
+            }
+            if (l > m + 1) {
+                const SHI_T up = p * ((m ? SHI_C(0.5) : SHI_C(1)) * SHI_C((l - m) * (l - m - 1)));
+                c += up * (high[0] + high[one + 1]);
+                s += up * (high[1] - high[one]);
+                high += 2;
+            }
+            o[-m] = s;                                          /* nothing, overwritten, for m = 0 */
+            o[m] = c;
+            if (planes < SH_GRADIENT) continue;
+            for (k = 0; k < 3; k++) {
+                o[(k + 1) * size - m] = norm * to[k * step + 1];
+                o[(k + 1) * size + m] = norm * to[k * step];
+            }
+            to += 2;
+        }
+    }
+    if (!surface) return;
+    for (l = 0; l < n; l++)
         for (m = 0; m <= l; m++) {
             const SHI_T norm = SHI_FN(shi_norm)[SHI_ROWS(l, m)], both = SHI_C((2 * l - 1) * (2 * l + 1));
-            const int at = SHI_PACKED(n, l, m);
-            SHI_V f[2];
-            if (l > 0) {
-                const SHI_T part = norm / SHI_C(l * (l + 1) * (2 * l - 1));
-                SHI_KN(shi_polygon_lower)(n - 1, l, m, flux, f);
-                f[0] = part * f[0];
-                f[1] = part * f[1];
-            } else {
-                f[0] = f[1] = SHI_SPLAT(0);
-            }
             for (sine = 0; sine <= (m > 0); sine++) {
-                const int i = l * (l + 1) + (sine ? -m : m);
-                SHI_V b[3], a[3];
-                out[i] = surface ? f[sine] + norm * totals[at + sine] : f[sine];
+                const int i = l * l + l + (sine ? -m : m);
+                SHI_V a[3], b[3];
+                out[i] += norm * totals[SHI_VALUE_AT(n) + SHI_PACKED(n, l, m) + sine];
                 if (planes < SH_GRADIENT) continue;
-                if (!surface) {
-                    for (k = 0; k < 3; k++) out[(k + 1) * size + i] = norm * slope[k * step + at + sine];
-                    continue;
-                }
                 if (l > 0) SHI_KN(shi_polygon_below)(n + 1, l, m, sine, ray, b);
                 else b[0] = b[1] = b[2] = SHI_SPLAT(0);
                 SHI_KN(shi_polygon_above)(n + 1, l, m, sine, ray, a);
                 for (k = 0; k < 3; k++)
-                    out[(k + 1) * size + i] = norm * (slope[k * step + at + sine] - (SHI_C(l - 2) / both) * b[k] + SHI_C(l + 3) * a[k]);
+                    out[(k + 1) * size + i] += norm * (SHI_C(l + 3) * a[k] - (SHI_C(l - 2) / both) * b[k]);
             }
         }
-    }
 }
 
 /* ---- many points: lanes are points ---- */
 
-/* atan2(y, x) for y >= 0, by two half-angle steps; 2 ulp */
+/* atan z, 0 <= z <= 1: float by 9 terms (relative error 1.8e-8), double after one half-angle step by 12 (1.3e-18).
+ * The terms are mpmath.chebyfit(lambda k: atan(sqrt(k))/sqrt(k), [0, 1 or tan(pi/8)^2], 9 or 12). */
+SHI_KERNEL SHI_V SHI_KN(shi_polygon_atan)(SHI_V z)
+{
+#if SHI_BITS == 32
+    static const float term[9] = { 0.99999998178865573f, -0.33333036709286276f, 0.19991872029109072f,
+        -0.14197797794085123f, 0.10618370636953849f, -0.074568548260045474f, 0.042137623589193041f,
+        -0.015731249122183653f, 0.002766283501762026f };
+    const SHI_V u = z, k = u * u;
+    SHI_V p = SHI_SPLAT(term[8]);
+    int i;
+    SHI_UNROLL
+    for (i = 7; i >= 0; i--) p = p * k + term[i];
+    return u * p;
+#else
+    static const double term[12] = { 1.0, -0.33333333333333121, 0.19999999999940891, -0.14285714279250245,
+        0.11111110744919658, -0.090908968090640271, 0.07692045330902225, -0.066629518136291901,
+        0.058468782973308725, -0.050351024566015518, 0.037965257453865936, -0.017805397205419445 };
+    const SHI_V u = z / (SHI_C(1) + SHI_SQRT(SHI_C(1) + z * z)), k = u * u;
+    SHI_V p = SHI_SPLAT(term[11]);
+    int i;
+    SHI_UNROLL
+    for (i = 10; i >= 0; i--) p = p * k + term[i];
+    return SHI_C(2) * (u * p);
+#endif
+}
+/* atan2(y, x) for y >= 0, 0 at the origin; 2 ulp */
 SHI_KERNEL SHI_V SHI_KN(shi_polygon_angle)(SHI_V y, SHI_V x)
 {
-    const SHI_V zero = SHI_SPLAT(0), one = SHI_SPLAT(1), r = SHI_SQRT(x * x + y * y), d = r + SHI_ABS(x);
-    const SHI_V t = SHI_SELECT(d > zero, y, zero) / SHI_SELECT(d > zero, d, one);           /* tan(angle/2), x >= 0 */
-    const SHI_V u = t / (one + SHI_SQRT(one + t * t)), v = u / (one + SHI_SQRT(one + u * u)), k = v * v;
-#if SHI_BITS == 32
-    const SHI_V p = one - k * (SHI_C(1. / 3) - k * (SHI_C(1. / 5) - k * (SHI_C(1. / 7) - k * SHI_C(1. / 9))));
-#else
-    SHI_V p = SHI_SPLAT(1. / 25);
-    int i;
-    SHI_UNROLL
-    for (i = 23; i > 0; i -= 2) p = SHI_C(1) / SHI_C(i) - k * p;
-#endif
-    {
-        const SHI_V a = SHI_C(8) * (v * p);
-        return SHI_SELECT(x < zero, SHI_C(3.14159265358979323846) - a, a);
-    }
+    const SHI_V r = SHI_ABS(x);
+    const SHI_M steep = (SHI_M)(y > r);
+    const SHI_V high = SHI_SELECT(steep, y, r), low = SHI_SELECT(steep, r, y);
+    const SHI_V a = SHI_KN(shi_polygon_atan)(low / SHI_SELECT(high > SHI_SPLAT(0), high, SHI_SPLAT(1)));
+    const SHI_V b = SHI_SELECT(steep, SHI_C(1.57079632679489661923) - a, a);
+    return SHI_SELECT(x < SHI_SPLAT(0), SHI_C(3.14159265358979323846) - b, b);
 }
 
-/* sine and cosine of a in [0, pi], from those of a/2 */
+/* sine and cosine of a in [0, pi/2]: mpmath.chebyfit of sin(sqrt(k))/sqrt(k) and cos(sqrt(k)) on [0, (pi/2)^2], 5 and 6
+ * terms for float (errors 4.3e-9, 2.3e-10), 10 and 10 for double (7e-21) */
 SHI_KERNEL void SHI_KN(shi_polygon_turn)(SHI_V a, SHI_V *c, SHI_V *s)
 {
-    const SHI_V h = SHI_C(0.5) * a, k = h * h;
-    SHI_V sine = SHI_SPLAT(1), cosine = SHI_SPLAT(1);
+#if SHI_BITS == 32
+    enum { SINES = 5, COSINES = 6 };
+    static const float sines[5] = { 0.99999999569880902f, -0.16666657947846011f, 0.0083330501706717732f,
+        -0.00019809017408678004f, 2.6051076353347881e-6f };
+    static const float cosines[6] = { 0.99999999977915403f, -0.49999999355437857f, 0.041666636159723193f,
+        -0.0013888360284403018f, 2.4760109673159874e-5f, -2.6050657493719743e-7f };
+#else
+    enum { SINES = 10, COSINES = 10 };
+    static const double sines[10] = { 1.0, -0.16666666666666667, 0.008333333333333333, -0.0001984126984126967,
+        2.7557319223940713e-6, -2.5052108378602197e-8, 1.6059043206300948e-10, -7.6471277399664175e-13,
+        2.8102145350022103e-15, -7.9825189617838324e-18 };
+    static const double cosines[10] = { 1.0, -0.5, 0.04166666666666666, -0.001388888888888853, 2.4801587301492642e-5,
+        -2.755731920965447e-7, 2.0876755666578905e-9, -1.1470670165323271e-11, 4.7768722491448073e-14,
+        -1.5119827834217994e-16 };
+#endif
+    const SHI_V k = a * a;
+    SHI_V sine = SHI_SPLAT(sines[SINES - 1]), cosine = SHI_SPLAT(cosines[COSINES - 1]);
     int i;
     SHI_UNROLL
-    for (i = SHI_BITS == 32 ? 12 : 20; i > 0; i -= 2) {
-        sine = SHI_C(1) - k * sine * (SHI_C(1) / SHI_C(i * (i + 1)));
-        cosine = SHI_C(1) - k * cosine * (SHI_C(1) / SHI_C(i * (i - 1)));
-    }
-    sine = h * sine;
-    *s = SHI_C(2) * (sine * cosine);
-    *c = SHI_C(1) - SHI_C(2) * (sine * sine);
+    for (i = SINES - 2; i >= 0; i--) sine = sine * k + sines[i];
+    SHI_UNROLL
+    for (i = COSINES - 2; i >= 0; i--) cosine = cosine * k + cosines[i];
+    *s = a * sine;
+    *c = cosine;
 }
 
 /* (v - x) . n, rounded once: in double for float lanes */
@@ -4060,11 +4091,13 @@ SHI_KERNEL SHI_V SHI_KN(shi_polygon_height)(const SHI_V x[3], const SHI_T v[3], 
 {
 #if SHI_BITS == 32 && SHI_LANES > 1
     __extension__ typedef double wide __attribute__((__vector_size__(2 * SHI_BYTES)));
-    const wide h = ((double)v[0] - __builtin_convertvector(x[0], wide)) * n[0] + ((double)v[1] - __builtin_convertvector(x[1], wide)) * n[1]
+    const wide h = ((double)v[0] - __builtin_convertvector(x[0], wide)) * n[0]
+                 + ((double)v[1] - __builtin_convertvector(x[1], wide)) * n[1]
                  + ((double)v[2] - __builtin_convertvector(x[2], wide)) * n[2];
     return __builtin_convertvector(h, SHI_V);
 #elif SHI_BITS == 32
-    return (SHI_T)(((double)v[0] - (double)x[0]) * n[0] + ((double)v[1] - (double)x[1]) * n[1] + ((double)v[2] - (double)x[2]) * n[2]);
+    return (SHI_T)(((double)v[0] - (double)x[0]) * n[0] + ((double)v[1] - (double)x[1]) * n[1]
+                 + ((double)v[2] - (double)x[2]) * n[2]);
 #else
     return (v[0] - x[0]) * n[0] + (v[1] - x[1]) * n[1] + (v[2] - x[2]) * n[2];
 #endif
@@ -4073,27 +4106,208 @@ SHI_KERNEL SHI_V SHI_KN(shi_polygon_height)(const SHI_V x[3], const SHI_T v[3], 
 enum { SHI_KN(shi_nodes_at_once) = 32 };
 #define SHI_NOT(m) ((SHI_M)((m) == ((m) ^ (m))))      /* lanes are -1 or 0, a scalar's mask 1 or 0 */
 
-/* Adds the light of one polygon, times `radiance`, at W points x to totals (SHI_TOTALS) and *omega. Lanes where the point lies
- * in the polygon's plane or on an edge, or where lengths leave the range of T, add nothing and are marked in *hard: for the
- * engine. Small lights: rules over the fan in the plane; others: nodes along the edges. A vector of points that mixes both
- * runs both. work: 2 (n+1)(n+2) vectors. Returns whether the surface's totals were touched. */
-SHI_INLINE int SHI_KN(shi_polygon_block)(int n, int planes, int sides, const SHI_FN(shi_rules) *rules, const SHI_V points[3], size_t count,
-                                          const SHI_T *v, SHI_T radiance, SHI_V *totals, SHI_V *omega, SHI_M *hard, SHI_V *work)
+/* a vertex seen from W points: the vector to it, its direction, 1/distance */
+typedef struct { SHI_V a[3], w[3], inverse; } SHI_KN(shi_seen);
+
+SHI_KERNEL void SHI_KN(shi_polygon_see)(const SHI_V x[3], const SHI_T *v, SHI_KN(shi_seen) *o)
+{
+    const SHI_V one = SHI_SPLAT(1);
+    SHI_V r2;
+    int k;
+    for (k = 0; k < 3; k++) o->a[k] = v[k] - x[k];
+    r2 = o->a[0] * o->a[0] + o->a[1] * o->a[1] + o->a[2] * o->a[2];
+    o->inverse = one / SHI_SQRT(SHI_SELECT(r2 > SHI_SPLAT(0), r2, one));
+    for (k = 0; k < 3; k++) o->w[k] = o->a[k] * o->inverse;
+}
+
+/* an edge seen from W points: the middle of its arc, the direction along it, its normal mu (0: seen end on), half its
+ * angle; 1/|p| = k0 cos + k1 sin of the angle from the middle */
+typedef struct { SHI_V mid[3], along[3], mu[3], half, k0, k1; } SHI_KN(shi_arc_seen);
+
+/* Returns the cosine of the arc; marks lanes whose point lies on the edge in *bad. */
+SHI_KERNEL SHI_V SHI_KN(shi_polygon_arc)(const SHI_KN(shi_seen) *p, const SHI_KN(shi_seen) *q, const SHI_T e[3],
+                                         SHI_T end_on, SHI_T at_vertex, SHI_KN(shi_arc_seen) *o, SHI_M *bad)
+{
+    const SHI_V *const a = p->a, *const b = q->a, *const w = p->w, zero = SHI_SPLAT(0), one = SHI_SPLAT(1);
+    const SHI_T least = SHI_BITS == 32 ? SHI_C(1e-37) : SHI_C(1e-300 * (SHI_BITS == 64));
+    const SHI_V nx = a[1] * e[2] - a[2] * e[1], ny = a[2] * e[0] - a[0] * e[2], nz = a[0] * e[1] - a[1] * e[0];
+    const SHI_V dot = a[0] * b[0] + a[1] * b[1] + a[2] * b[2], both = p->inverse * q->inverse;
+    const SHI_V n2 = nx * nx + ny * ny + nz * nz, cross = SHI_ABS(nx) + SHI_ABS(ny) + SHI_ABS(nz);
+    const SHI_M seen = (SHI_M)(n2 > SHI_SPLAT(least));
+    const SHI_V inverse = SHI_SELECT(seen, one, zero) / SHI_SQRT(SHI_SELECT(seen, n2, one));
+    const SHI_V c = dot * both, s = n2 * inverse * both, far = one + SHI_ABS(c);    /* cosine and sine of the arc */
+    const SHI_V r = SHI_SQRT(SHI_C(0.5) * far), other = SHI_C(0.5) * s / r, h = SHI_KN(shi_polygon_atan)(s / far);
+    const SHI_M wide = (SHI_M)(c < zero);
+    const SHI_V ch = SHI_SELECT(wide, other, r), sh = SHI_SELECT(wide, r, other);
+    SHI_V la[3], k1;
+    int k;
+    *bad |= ((SHI_M)(cross <= SHI_SPLAT(end_on)) & (SHI_M)(dot <= zero))
+          | (SHI_M)(SHI_ABS(a[0]) + SHI_ABS(a[1]) + SHI_ABS(a[2]) < SHI_SPLAT(at_vertex));
+    o->mu[0] = nx * inverse;
+    o->mu[1] = ny * inverse;
+    o->mu[2] = nz * inverse;
+    la[0] = o->mu[1] * w[2] - o->mu[2] * w[1];
+    la[1] = o->mu[2] * w[0] - o->mu[0] * w[2];
+    la[2] = o->mu[0] * w[1] - o->mu[1] * w[0];
+    k1 = -((e[0] * w[0] + e[1] * w[1] + e[2] * w[2]) * inverse);
+    for (k = 0; k < 3; k++) {
+        o->mid[k] = ch * w[k] + sh * la[k];
+        o->along[k] = ch * la[k] - sh * w[k];
+    }
+    o->half = SHI_SELECT(seen, SHI_SELECT(wide, SHI_C(1.57079632679489661923) - h, h), zero);
+    o->k0 = p->inverse * ch + k1 * sh;
+    o->k1 = k1 * ch - p->inverse * sh;
+    return c;
+}
+
+/* Sums along an arc, for the lanes of `wide`: s[l < ns] of Y dt, t[l < nt] of Y/|p| dt. The nodes come in pairs about the
+ * middle, as many as the longest arc needs. */
+SHI_KERNEL void SHI_KN(shi_polygon_arc_sums)(int n, int ns, int nt, const SHI_KN(shi_arc_seen) *arc, SHI_M wide, SHI_V *s,
+                                             SHI_V *t)
+{
+    static const SHI_T limit[8] = {                             /* shi_gauss_count's, of 2, 4 .. 16 nodes */
+#if SHI_BITS == 32
+        SHI_C(0.063), SHI_C(0.881), SHI_C(2.56), SHI_C(4.74), SHI_C(7.19), SHI_C(9.87), SHI_C(12.7), SHI_C(15.8) };
+#else
+        SHI_C(2.2e-4), SHI_C(0.053), SHI_C(0.388), SHI_C(1.13), SHI_C(2.28), SHI_C(3.75), SHI_C(5.53), SHI_C(7.46) };
+#endif
+    const SHI_V half = arc->half, reach = SHI_SELECT(wide, SHI_C(n) * half, SHI_SPLAT(0));
+    SHI_V node[SHI_KN(shi_nodes_at_once) * 5];
+    int pairs = 1, panels = 1, fill = 0, p, j, k;
+    while (SHI_ANY((SHI_M)(reach > SHI_SPLAT(SHI_C(panels) * limit[pairs - 1])))) {
+        if (pairs < 8) pairs++;
+        else panels *= 2;
+    }
+    for (p = 0; p < (panels + 1) / 2; p++)
+        for (j = 0; j < (panels == 1 ? pairs : 2 * pairs); j++) {
+            /* 2 pairs-point rule: its nodes in (0, 1), or all of them in panel p of the upper half */
+            const int at = pairs * pairs + (j < pairs ? j : j - pairs);
+            const double x = j < pairs ? shi_gauss_x[at] : -shi_gauss_x[at];
+            const SHI_T turn = panels == 1 ? (SHI_T)x : (SHI_T)((2 * p + 1 + x) / panels);
+            const SHI_V weight = (SHI_T)(shi_gauss_w[at] / panels) * half;
+            SHI_V *const o = node + 5 * fill, c, d;
+            SHI_KN(shi_polygon_turn)(turn * half, &c, &d);
+            for (k = 0; k < 3; k++) {
+                const SHI_V m = c * arc->mid[k], a = d * arc->along[k];
+                o[k] = m + a;
+                o[5 + k] = m - a;
+            }
+            o[3] = o[8] = weight;
+            o[4] = weight * (c * arc->k0 + d * arc->k1);
+            o[9] = weight * (c * arc->k0 - d * arc->k1);
+            fill += 2;
+            if (fill == SHI_KN(shi_nodes_at_once)) {
+                SHI_KN(shi_polygon_sums)(ns, nt, fill, node, s, t);
+                fill = 0;
+            }
+        }
+    if (fill) SHI_KN(shi_polygon_sums)(ns, nt, fill, node, s, t);
+}
+
+/* out[k][i] += sum over e of m[e][k] s[e][i] */
+SHI_KERNEL void SHI_KN(shi_polygon_spread_of)(int edges, int size, const SHI_V *m, const SHI_V *s, SHI_V *out)
+{
+    int i, e;
+    for (i = 0; i < size; i++) {
+        SHI_V x = out[i], y = out[size + i], z = out[2 * size + i];
+        SHI_UNROLL
+        for (e = 0; e < edges; e++) {
+            const SHI_V q = s[e * size + i];
+            x += m[3 * e] * q;
+            y += m[3 * e + 1] * q;
+            z += m[3 * e + 2] * q;
+        }
+        out[i] = x;
+        out[size + i] = y;
+        out[2 * size + i] = z;
+    }
+}
+SHI_INLINE void SHI_KN(shi_polygon_spread)(int edges, int size, const SHI_V *m, const SHI_V *s, SHI_V *out)
+{
+    for (; edges >= 4; edges -= 4, m += 12, s += 4 * size) SHI_KN(shi_polygon_spread_of)(4, size, m, s, out);
+    if (edges == 3) SHI_KN(shi_polygon_spread_of)(3, size, m, s, out);
+    else if (edges == 2) SHI_KN(shi_polygon_spread_of)(2, size, m, s, out);
+    else if (edges == 1) SHI_KN(shi_polygon_spread_of)(1, size, m, s, out);
+}
+
+/* Solid angle modulo 2 pi from the exterior angles, the multiple from `near`. */
+SHI_INLINE SHI_V SHI_KN(shi_polygon_turning)(const SHI_V x[3], size_t count, const SHI_T *v, SHI_V near)
+{
+    const SHI_T whole = SHI_C(6.28318530717958647692), half = SHI_C(3.14159265358979323846);
+    const SHI_T least = SHI_BITS == 32 ? SHI_C(1e-37) : SHI_C(1e-300 * (SHI_BITS == 64));
+    const SHI_V zero = SHI_SPLAT(0), one = SHI_SPLAT(1);
+    SHI_V first[3], before[3], corner[3], have = zero, turn_c = one, turn_s = zero, angle, exact;
+    size_t i;
+    int k;
+    for (k = 0; k < 3; k++) first[k] = before[k] = corner[k] = zero;
+    for (i = 0; i <= count; i++) {                              /* at vertex i, between the last edge seen and this one */
+        const SHI_T *from = v + 3 * (i < count ? i : 0), *to = i + 1 < count ? v + 3 * i + 3 : v;
+        SHI_KN(shi_seen) a;
+        SHI_T e[3];
+        SHI_V mu[3], n2, inverse, c[3], y, z, tc, ts;
+        SHI_M seen, any = (SHI_M)(have > zero), start;
+        if (i < count) {
+            SHI_KN(shi_polygon_see)(x, from, &a);
+            for (k = 0; k < 3; k++) e[k] = to[k] - from[k];
+            for (k = 0; k < 3; k++) mu[k] = a.a[(k + 1) % 3] * e[(k + 2) % 3] - a.a[(k + 2) % 3] * e[(k + 1) % 3];
+            n2 = mu[0] * mu[0] + mu[1] * mu[1] + mu[2] * mu[2];
+            seen = (SHI_M)(n2 > SHI_SPLAT(least));
+            inverse = one / SHI_SQRT(SHI_SELECT(seen, n2, one));
+            for (k = 0; k < 3; k++) mu[k] = mu[k] * inverse;
+        } else {                                                /* back at the first edge seen */
+            seen = any;
+            for (k = 0; k < 3; k++) {
+                mu[k] = first[k];
+                a.w[k] = corner[k];
+            }
+        }
+        start = seen & SHI_NOT(any);
+        for (k = 0; k < 3; k++) c[k] = before[(k + 1) % 3] * mu[(k + 2) % 3] - before[(k + 2) % 3] * mu[(k + 1) % 3];
+        y = a.w[0] * c[0] + a.w[1] * c[1] + a.w[2] * c[2];
+        z = before[0] * mu[0] + before[1] * mu[1] + before[2] * mu[2];
+        tc = turn_c * z - turn_s * y;                           /* angles add up in the argument, modulo 2 pi */
+        ts = turn_s * z + turn_c * y;
+        turn_c = SHI_SELECT(seen & any, tc, turn_c);
+        turn_s = SHI_SELECT(seen & any, ts, turn_s);
+        for (k = 0; k < 3; k++) {
+            before[k] = SHI_SELECT(seen, mu[k], before[k]);
+            first[k] = SHI_SELECT(start, mu[k], first[k]);
+            corner[k] = SHI_SELECT(start, a.w[k], corner[k]);
+        }
+        have = SHI_SELECT(seen, one, have);
+    }
+    angle = SHI_KN(shi_polygon_angle)(SHI_ABS(turn_s), turn_c);
+    exact = SHI_SELECT(turn_s < zero, angle, -angle);
+    for (i = 0; i <= count / 2 + 1; i++) {
+        exact += SHI_SELECT(exact < near - half, whole + zero, zero);
+        exact -= SHI_SELECT(exact > near + half, whole + zero, zero);
+    }
+    return exact;
+}
+
+/* Adds the light of one polygon, times radiance[c], at W points x to totals + c SHI_TOTALS and omega[c], c < channels. Lanes
+ * where the point lies in the polygon's plane or on an edge, or where lengths leave the range of T, add nothing and are
+ * marked in *hard: for the engine. Small lights: rules over the fan in the plane; others: nodes along the edges. A vector
+ * of points that mixes both runs both. work: SHI_POLYGON_SUMS(n) vectors. *surface: whether the surface's totals hold
+ * anything; until then they are not even cleared. */
+#define SHI_ARCS 8                                          /* edges whose sums wait for each other, as `work` has room */
+#define SHI_POLYGON_SUMS(n) ((n) <= 10 ? 800 : 4 * (n) * (n))
+SHI_INLINE void SHI_KN(shi_polygon_block)(int n, int planes, int sides, SHI_FN(shi_rules) *rules, const SHI_V points[3],
+                                          size_t count, const SHI_T *v, int channels, const SHI_T *radiance, SHI_V *totals,
+                                          SHI_V *omega, int *surface, SHI_M *hard, SHI_V *work)
 {
     static const double limits[2][11] = {
         { 4e-4, 0.02, 0.7, 1.4 },
         { 1e-8, 1e-5, 4e-3, 0.02, 0.06, 0.15, 0.3, 0.55, 0.9, 1.3, 1.8 } };
     const SHI_V zero = SHI_SPLAT(0), one = SHI_SPLAT(1);
-    const SHI_T biggest = SHI_BITS == 32 ? SHI_C(1e8) : SHI_C(1e75), smallest = SHI_C(1) / biggest;
+    const SHI_T biggest = SHI_BITS == 32 ? SHI_C(1e8) : SHI_C(1e75), smallest = SHI_BITS == 32 ? SHI_C(1e-6) : 1 / biggest;
     SHI_T end_on, at_vertex;                                /* |A x E|, |A| that count as 0 */
     const int gradient = planes >= SH_GRADIENT, slope = n * (n + 1), flux = n * (n - 1);
-    SHI_V *const s = work, *const t = work + (n + 1) * (n + 2);
-    SHI_V x[3], least = one, fan_c = one, fan_s = zero, turn_c = one, turn_s = zero, a0[3], d2, dist, volume = zero, sum = zero, sign, factor, small_factor, wide_factor, size;
-    SHI_V node[SHI_KN(shi_nodes_at_once) * 5];
+    SHI_V x[3], d2, dist, volume = zero, sign, factor, wide_factor = zero, size, dets[SHI_ARCS];
     SHI_M small, bad;
     SHI_T center[3] = { 0, 0, 0 }, radius = 0;
     size_t i;
-    int k, l, level;
+    int c, k, l, level;
 
     for (i = 0; i < 3 * count; i++) center[i % 3] += v[i];
     for (k = 0; k < 3; k++) center[k] = center[k] / SHI_C(count);
@@ -4106,7 +4320,7 @@ SHI_INLINE int SHI_KN(shi_polygon_block)(int n, int planes, int sides, const SHI
     bad = (SHI_M)(zero != zero);
     if (!(radius > smallest && radius < biggest)) {
         *hard = SHI_NOT(bad);
-        return 0;
+        return;
     }
     end_on = (SHI_BITS == 32 ? SHI_C(1e-20) : SHI_C(1e-100 * (SHI_BITS == 64))) * radius * radius;
     at_vertex = (SHI_BITS == 32 ? SHI_C(1e-9) : SHI_C(1e-40)) * radius;
@@ -4115,86 +4329,117 @@ SHI_INLINE int SHI_KN(shi_polygon_block)(int n, int planes, int sides, const SHI
     dist = SHI_SQRT(d2);
     bad = SHI_NOT((SHI_M)((dist < biggest) & (dist > smallest)));
     dist = SHI_SELECT(bad, SHI_SPLAT(radius), dist);
-    for (k = 0; k < 3; k++) {                               /* such lanes compute something finite, and add nothing */
+    for (k = 0; k < 3; k++)                                 /* such lanes compute something finite, and add nothing */
         x[k] = SHI_SELECT(bad, SHI_SPLAT(center[k] + radius), points[k]);
-        a0[k] = v[k] - x[k];
-    }
     size = dist - SHI_C(4) * radius;
     small = (SHI_M)(size > zero);
     size = SHI_SELECT(small, SHI_C(2 * (n + 1)) * radius / (dist - SHI_SELECT(small, SHI_SPLAT(radius), zero)), SHI_SPLAT(100));
     small &= (SHI_M)(size < SHI_C(limits[SHI_BITS == 64][SHI_RULES - 1]));
 
-    /* side, and the solid angle of the fan where it will be wanted */
-    {
-        const int wide = SHI_ANY(SHI_NOT(small));
-        SHI_V b[3], u0[3], i0 = zero, ib = zero, cos0b = zero;         /* directions, 1/distances */
-        for (k = 0; k < 3; k++) u0[k] = b[k] = zero;
-        for (i = wide ? 0 : 2; i < count; i++) {
-            double n2[3] = { 0, 0, 0 };
-            SHI_V c[3], det = zero, ic, cos0c;
-            if (i > 1) {
-                SHI_FN(shi_fan_normal)(v, v + 3 * i - 3, v + 3 * i, n2);
-                det = SHI_KN(shi_polygon_height)(x, v, n2);
-                volume += det;
-            }
-            if (!wide) continue;
-            for (k = 0; k < 3; k++) c[k] = v[3 * i + (size_t)k] - x[k];
-            ic = c[0] * c[0] + c[1] * c[1] + c[2] * c[2];
-            ic = one / SHI_SQRT(SHI_SELECT(ic > zero, ic, one));
-            for (k = 0; k < 3; k++) c[k] = c[k] * ic;
-            cos0c = u0[0] * c[0] + u0[1] * c[1] + u0[2] * c[2];
-            if (i == 0) {
-                for (k = 0; k < 3; k++) u0[k] = c[k];
-                i0 = ic;
-            } else if (i > 1) {
-                const SHI_V cosbc = b[0] * c[0] + b[1] * c[1] + b[2] * c[2];
-                const SHI_V even = ((one + cos0b) + cosbc) + cos0c;
-                const SHI_V odd = ((det * i0) * ib) * ic;
-                least = SHI_SELECT(even < least, even, least);
-                if (i == 2) {
-                    fan_c = even;
-                    fan_s = odd;
-                } else if (count == 4) {                    /* two halves of less than pi: their product's argument */
-                    const SHI_V real = fan_c * even - fan_s * odd;
-                    fan_s = fan_c * odd + fan_s * even;
-                    fan_c = real;
-                } else {
-                    const SHI_V solid = SHI_C(2) * SHI_KN(shi_polygon_angle)(SHI_ABS(odd), even);
-                    sum += SHI_SELECT(odd < zero, -solid, solid);
-                }
-            }
-            for (k = 0; k < 3; k++) b[k] = c[k];
-            ib = ic;
-            cos0b = cos0c;
-        }
-        if (wide) {
-            const SHI_V solid = SHI_C(2) * SHI_KN(shi_polygon_angle)(SHI_ABS(fan_s), fan_c);
-            sum += SHI_SELECT(fan_s < zero, -solid, solid);
-        }
-        for (i = 0; wide && i < count; i++) {               /* on an edge: seen end on, between its ends */
-            const SHI_T *from = v + 3 * i, *to = i + 1 < count ? v + 3 * i + 3 : v;
-            SHI_V c[3], cross = zero, dot = zero, near = zero;
-            for (k = 0; k < 3; k++) c[k] = from[k] - x[k];
-            for (k = 0; k < 3; k++) {
-                const int p = (k + 1) % 3, q = (k + 2) % 3;
-                cross += SHI_ABS(c[p] * (to[q] - from[q]) - c[q] * (to[p] - from[p]));
-                dot += c[k] * (to[k] - x[k]);
-                near += SHI_ABS(c[k]);
-            }
-            bad |= ((SHI_M)(cross <= end_on) & (SHI_M)(dot <= zero)) | (SHI_M)(near < at_vertex);
-        }
+    for (i = 1; i + 1 < count; i++) {                       /* the side */
+        double n2[3];
+        SHI_V det;
+        SHI_FN(shi_fan_normal)(v, v + 3 * i, v + 3 * i + 3, n2);
+        det = SHI_KN(shi_polygon_height)(x, v, n2);
+        volume += det;
+        if (i <= SHI_ARCS) dets[i - 1] = det;
     }
     bad |= (SHI_M)(volume == zero);
     sign = sides == SH_SIGNED ? -one : SHI_SELECT(volume < zero, -one, sides == SH_FRONT ? zero : one);
-    factor = radiance * SHI_SELECT(bad, zero, sign);
-    small_factor = SHI_SELECT(small, factor, zero);
-    wide_factor = factor - small_factor;
 
-    if (SHI_ANY(small)) {
+    if (SHI_ANY(SHI_NOT(small))) {
+        const int room = SHI_POLYGON_SUMS(n) / (2 * n * n), most = room < SHI_ARCS ? room : SHI_ARCS;
+        SHI_V *const t = work + most * flux;
+        SHI_V m[3 * SHI_ARCS];
+        SHI_KN(shi_arc_seen) arcs[SHI_ARCS];
+        int pass;
+        /* points on an edge must be known before anything is added: once around for that if not all edges fit at once */
+        for (pass = count > (size_t)most ? 0 : 1; pass < 2; pass++) {
+            SHI_V cos0b = zero, fan_c = one, fan_s = zero, sum = zero, least = one;
+            SHI_KN(shi_seen) first, a, b;
+            int fill = 0, e;
+            SHI_KN(shi_polygon_see)(x, v, &first);
+            a = first;
+            for (i = 0; i < count; i++) {
+                const SHI_T *from = v + 3 * i, *to = i + 1 < count ? v + 3 * i + 3 : v;
+                SHI_T side[3];
+                SHI_V cosine;
+                for (k = 0; k < 3; k++) side[k] = to[k] - from[k];
+                if (i + 1 < count) SHI_KN(shi_polygon_see)(x, to, &b);
+                else b = first;
+                cosine = SHI_KN(shi_polygon_arc)(&a, &b, side, end_on, at_vertex, &arcs[fill], &bad);
+                if (i == 0) {
+                    cos0b = cosine;
+                } else if (i + 1 < count) {                 /* the fan's solid angle */
+                    const SHI_V cos0c = first.w[0] * b.w[0] + first.w[1] * b.w[1] + first.w[2] * b.w[2];
+                    const SHI_V even = ((one + cos0b) + cosine) + cos0c;
+                    SHI_V det, odd;
+                    if (i <= SHI_ARCS) {
+                        det = dets[i - 1];
+                    } else {
+                        double n2[3];
+                        SHI_FN(shi_fan_normal)(v, from, to, n2);
+                        det = SHI_KN(shi_polygon_height)(x, v, n2);
+                    }
+                    odd = ((det * first.inverse) * a.inverse) * b.inverse;
+                    least = SHI_SELECT(even < least, even, least);
+                    if (i == 1) {
+                        fan_c = even;
+                        fan_s = odd;
+                    } else if (count == 4) {                /* two halves of less than pi: their product's argument */
+                        const SHI_V real = fan_c * even - fan_s * odd;
+                        fan_s = fan_c * odd + fan_s * even;
+                        fan_c = real;
+                    } else {
+                        const SHI_V solid = SHI_C(2) * SHI_KN(shi_polygon_angle)(SHI_ABS(odd), even);
+                        sum += SHI_SELECT(odd < zero, -solid, solid);
+                    }
+                    cos0b = cos0c;
+                }
+                a = b;
+                if (!pass || (++fill < most && i + 1 < count)) continue;
+                wide_factor = SHI_SELECT(bad | small, zero, sign);
+                if (!channels) continue;
+                for (l = 0; l < fill * flux; l++) work[l] = zero;
+                for (l = 0; gradient && l < fill * slope; l++) t[l] = zero;
+                for (e = 0; e < fill; e++)
+                    SHI_KN(shi_polygon_arc_sums)(n, n - 1, gradient ? n : 0, &arcs[e], SHI_NOT(bad | small), work + e * flux,
+                                                 t + e * slope);
+                for (c = 0; c < channels; c++) {
+                    SHI_V *const to_c = totals + c * SHI_TOTALS(n);
+                    const SHI_V f = radiance[c] * wide_factor;
+                    for (e = 0; e < fill; e++)
+                        for (k = 0; k < 3; k++) m[3 * e + k] = f * arcs[e].mu[k];
+                    SHI_KN(shi_polygon_spread)(fill, flux, m, work, to_c + SHI_FLUX_AT(n));
+                    if (gradient) SHI_KN(shi_polygon_spread)(fill, slope, m, t, to_c + SHI_SLOPE_AT(n));
+                }
+                fill = 0;
+            }
+            if (!pass || !channels) continue;
+            {
+                const SHI_V solid = SHI_C(2) * SHI_KN(shi_polygon_angle)(SHI_ABS(fan_s), fan_c);
+                sum += SHI_SELECT(fan_s < zero, -solid, solid);
+            }
+            /* the fan is relatively exact but near its sides' planes, where the sides are long and turn well-defined angles */
+            if (SHI_ANY(SHI_NOT(bad | small) & (SHI_M)(least <= SHI_SPLAT(SHI_C(0.25)))))
+                sum = SHI_SELECT((SHI_M)(least > SHI_SPLAT(SHI_C(0.25))), sum, SHI_KN(shi_polygon_turning)(x, count, v, sum));
+            for (c = 0; c < channels; c++) omega[c] += (radiance[c] * wide_factor) * sum;
+        }
+    }
+    factor = SHI_SELECT(bad, zero, sign);
+
+    if (channels && SHI_ANY(small)) {
+        SHI_V *const s = work, *const t = work + n * (n + 1), node[SHI_KN(shi_nodes_at_once) * 5];
+        const SHI_V small_factor = SHI_SELECT(small, factor, zero), in = SHI_SELECT(small, size, zero);
         const int ns = n, nt = gradient ? n + 1 : 0;
-        SHI_T largest = 0;
-        SHI_T tmp[SHI_W];
-        const SHI_V in = SHI_SELECT(small, size, zero);
+        SHI_T largest = 0, tmp[SHI_W];
+        if (!rules->made) SHI_FN(shi_make_rules)(rules);
+        for (c = 0; c < channels && !*surface; c++) {
+            SHI_V *const value = totals + c * SHI_TOTALS(n), *const ray = value + SHI_RAY_AT(n);
+            for (l = 0; l < slope; l++) value[l] = zero;
+            for (l = 0; l < nt * (nt + 1); l++) ray[l] = zero;
+        }
+        *surface = 1;
         SHI_STORE(tmp, in);
         for (k = 0; k < SHI_W; k++) if (tmp[k] > largest) largest = tmp[k];
         for (level = 0; level + 1 < SHI_RULES && (double)largest > limits[SHI_BITS == 64][level]; level++) {}
@@ -4203,19 +4448,21 @@ SHI_INLINE int SHI_KN(shi_polygon_block)(int n, int planes, int sides, const SHI
             const int nodes = rules->start[level + 1] - rules->start[level];
             double n2[3];
             SHI_T e[3], f[3];
-            SHI_V det;
+            SHI_V a0[3], det;
             int fill = 0, j;
             for (k = 0; k < 3; k++) {
+                a0[k] = v[k] - x[k];
                 e[k] = e1[k] - v[k];
                 f[k] = e2[k] - v[k];
             }
             SHI_FN(shi_fan_normal)(v, e1, e2, n2);
-            det = SHI_KN(shi_polygon_height)(x, v, n2);
+            det = i <= SHI_ARCS ? dets[i - 1] : SHI_KN(shi_polygon_height)(x, v, n2);
             for (l = 0; l < ns * (ns + 1); l++) s[l] = zero;
             for (l = 0; l < nt * (nt + 1); l++) t[l] = zero;
             for (j = 0; j < nodes; j++) {
                 SHI_V *const o = node + 5 * fill, ir, p[3];
-                for (k = 0; k < 3; k++) p[k] = SHI_SELECT(small, a0[k] + (rule[3 * j] * e[k] + rule[3 * j + 1] * f[k]), one);
+                for (k = 0; k < 3; k++)
+                    p[k] = SHI_SELECT(small, a0[k] + (rule[3 * j] * e[k] + rule[3 * j + 1] * f[k]), one);
                 ir = one / SHI_SQRT(p[0] * p[0] + p[1] * p[1] + p[2] * p[2]);
                 for (k = 0; k < 3; k++) o[k] = p[k] * ir;
                 o[3] = rule[3 * j + 2] * (ir * ir * ir) * small_factor;
@@ -4230,135 +4477,23 @@ SHI_INLINE int SHI_KN(shi_polygon_block)(int n, int planes, int sides, const SHI
                     fill = 0;
                 }
             }
-            for (l = 0; l < slope; l++) totals[l] += det * s[l];
-            if (gradient) {
-                SHI_V *const out = totals + SHI_SLOPE_AT(n), *const ray = totals + SHI_RAY_AT(n);
-                const SHI_T nx = (SHI_T)n2[0], ny = (SHI_T)n2[1], nz = (SHI_T)n2[2];
+            for (c = 0; c < channels; c++) {
+                SHI_V *const value = totals + c * SHI_TOTALS(n), *const out = value + SHI_SLOPE_AT(n);
+                SHI_V *const ray = value + SHI_RAY_AT(n);
+                const SHI_T r = radiance[c], nx = r * (SHI_T)n2[0], ny = r * (SHI_T)n2[1], nz = r * (SHI_T)n2[2];
+                const SHI_V d = r * det;
+                for (l = 0; l < slope; l++) value[l] += d * s[l];
+                if (!gradient) continue;
                 for (l = 0; l < slope; l++) {
                     out[l] -= nx * s[l];
                     out[slope + l] -= ny * s[l];
                     out[2 * slope + l] -= nz * s[l];
                 }
-                for (l = 0; l < nt * (nt + 1); l++) ray[l] += det * t[l];
+                for (l = 0; l < nt * (nt + 1); l++) ray[l] += d * t[l];
             }
-        }
-    }
-
-    if (SHI_ANY(SHI_NOT(small))) {
-        const int ns = n - 1, nt = gradient ? n : 0;
-        SHI_V first[3], before[3], corner[3], have = zero, a[3], r;
-        for (k = 0; k < 3; k++) {
-            a[k] = a0[k];
-            first[k] = before[k] = corner[k] = zero;
-        }
-        r = SHI_SQRT(a[0] * a[0] + a[1] * a[1] + a[2] * a[2]);
-        for (i = 0; i < count; i++) {
-            const SHI_T *from = v + 3 * i, *to = i + 1 < count ? v + 3 * i + 3 : v;
-            SHI_T e[3], tmp[SHI_W], widest = 0;
-            SHI_V b[3], w[3], mu[3], lambda[3], length, inverse, dot, gamma, k0, k1, ri;
-            SHI_M seen;
-            int panels = 1, nodes, p, j, fill = 0;
-            for (k = 0; k < 3; k++) {
-                e[k] = to[k] - from[k];
-                b[k] = to[k] - x[k];
-            }
-            mu[0] = a[1] * e[2] - a[2] * e[1];
-            mu[1] = a[2] * e[0] - a[0] * e[2];
-            mu[2] = a[0] * e[1] - a[1] * e[0];
-            dot = a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-            length = SHI_SQRT(mu[0] * mu[0] + mu[1] * mu[1] + mu[2] * mu[2]);
-            seen = (SHI_M)(length > end_on);
-            inverse = SHI_SELECT(seen, one, zero) / SHI_SELECT(seen, length, one);
-            ri = one / SHI_SELECT(seen, r, one);
-            for (k = 0; k < 3; k++) {
-                mu[k] = mu[k] * inverse;
-                w[k] = SHI_SELECT(seen, a[k] * ri, k == 2 ? one : zero);
-            }
-            lambda[0] = mu[1] * w[2] - mu[2] * w[1];
-            lambda[1] = mu[2] * w[0] - mu[0] * w[2];
-            lambda[2] = mu[0] * w[1] - mu[1] * w[0];
-            gamma = SHI_SELECT(seen, SHI_KN(shi_polygon_angle)(length, dot), zero);
-            k0 = ri;
-            k1 = -((e[0] * w[0] + e[1] * w[1] + e[2] * w[2]) * inverse);
-            {   /* exterior angle at a, between the last edge seen and this one */
-                const SHI_V c0 = before[1] * mu[2] - before[2] * mu[1], c1 = before[2] * mu[0] - before[0] * mu[2],
-                            c2 = before[0] * mu[1] - before[1] * mu[0];
-                const SHI_V y = w[0] * c0 + w[1] * c1 + w[2] * c2, z = before[0] * mu[0] + before[1] * mu[1] + before[2] * mu[2];
-                const SHI_M any = (SHI_M)(have > zero), start = seen & SHI_NOT(any);
-                const SHI_V tc = turn_c * z - turn_s * y, ts = turn_s * z + turn_c * y;
-                turn_c = SHI_SELECT(seen & any, tc, turn_c);        /* angles add up in the argument, modulo 2 pi */
-                turn_s = SHI_SELECT(seen & any, ts, turn_s);
-                for (k = 0; k < 3; k++) {
-                    before[k] = SHI_SELECT(seen, mu[k], before[k]);
-                    first[k] = SHI_SELECT(start, mu[k], first[k]);
-                    corner[k] = SHI_SELECT(start, w[k], corner[k]);
-                }
-                have = SHI_SELECT(seen, one, have);
-            }
-            {
-                const SHI_V in = SHI_SELECT(small, zero, gamma);
-                SHI_STORE(tmp, in);
-                for (k = 0; k < SHI_W; k++) if (tmp[k] > widest) widest = tmp[k];
-            }
-            while ((nodes = shi_gauss_count(0.5 * n * (double)widest / panels, SHI_BITS == 64 ? 1 : 2)) > 16) panels++;
-            for (l = 0; l < ns * (ns + 1); l++) s[l] = zero;
-            for (l = 0; l < nt * (nt + 1); l++) t[l] = zero;
-            for (p = 0; p < panels; p++) {
-                for (j = 0; j < nodes; j++) {
-                    double weight;
-                    const double at = (p + shi_gauss_node(nodes, j, &weight)) / panels;
-                    SHI_V *const o = node + 5 * fill, c, sine;
-                    SHI_KN(shi_polygon_turn)((SHI_T)at * gamma, &c, &sine);
-                    for (k = 0; k < 3; k++) o[k] = c * w[k] + sine * lambda[k];
-                    o[3] = (SHI_T)(weight / panels) * (gamma * wide_factor);
-                    o[4] = o[3] * (c * k0 + sine * k1);
-                    if (++fill == SHI_KN(shi_nodes_at_once) || (p + 1 == panels && j + 1 == nodes)) {
-                        if (fill & 1) {
-                            SHI_V *const last = node + 5 * fill++;
-                            last[0] = last[1] = last[3] = last[4] = zero;
-                            last[2] = one;
-                        }
-                        SHI_KN(shi_polygon_sums)(ns, nt, fill, node, s, t);
-                        fill = 0;
-                    }
-                }
-            }
-            {
-                SHI_V *out = totals + SHI_FLUX_AT(n);
-                for (l = 0; l < flux; l++) {
-                    out[l] += mu[0] * s[l];
-                    out[flux + l] += mu[1] * s[l];
-                    out[2 * flux + l] += mu[2] * s[l];
-                }
-                out = totals + SHI_SLOPE_AT(n);
-                for (l = 0; gradient && l < slope; l++) {
-                    out[l] += mu[0] * t[l];
-                    out[slope + l] += mu[1] * t[l];
-                    out[2 * slope + l] += mu[2] * t[l];
-                }
-            }
-            for (k = 0; k < 3; k++) a[k] = b[k];
-            r = SHI_SQRT(a[0] * a[0] + a[1] * a[1] + a[2] * a[2]);
-        }
-        {
-            const SHI_T whole = SHI_C(6.28318530717958647692), half = SHI_C(3.14159265358979323846);
-            const SHI_V c0 = before[1] * first[2] - before[2] * first[1], c1 = before[2] * first[0] - before[0] * first[2],
-                        c2 = before[0] * first[1] - before[1] * first[0];
-            const SHI_V y = corner[0] * c0 + corner[1] * c1 + corner[2] * c2, z = before[0] * first[0] + before[1] * first[1] + before[2] * first[2];
-            const SHI_V tc = turn_c * z - turn_s * y, ts = turn_s * z + turn_c * y;
-            const SHI_V angle = SHI_KN(shi_polygon_angle)(SHI_ABS(ts), tc);
-            SHI_V exact = SHI_SELECT(ts < zero, angle, -angle);
-            for (i = 0; i <= count / 2 + 1; i++) {
-                exact += SHI_SELECT(exact < sum - half, whole + zero, zero);
-                exact -= SHI_SELECT(exact > sum + half, whole + zero, zero);
-            }
-            /* the fan is relatively exact but near its sides' planes, where the sides are long and turn well-defined angles */
-            exact = SHI_SELECT((SHI_M)(SHI_ABS(sum) < SHI_C(0.5)) & (SHI_M)(least > SHI_C(0.25)), sum, exact);
-            *omega += wide_factor * exact;
         }
     }
     *hard = bad;
-    return SHI_ANY(small);
 }
 
 /* ---- WR18: lanes are zonal lobes ---- */
@@ -5302,95 +5437,93 @@ SHI_INLINE int SHI_FN(shi_polygons_check)(int bands, int planes, int channels, i
 }
 
 /* W points at a time; up to three channels share a pass over the polygons.
- * work: (channels of a pass, plus 1 if more than one) totals; then 2 (n+1)(n+2) vectors of sums, 4 N of results */
+ * work: totals of three channels, then SHI_POLYGON_SUMS(n) vectors of sums, where the results go at last */
 SHI_INLINE int SHI_FN(shi_polygons_with)(int n, int planes, int channels, int sides, size_t points, const SHI_T *point,
                                          const SHI_FN(sh_grid) *grid, size_t first, size_t polygons, const int *counts,
-                                         const SHI_T *vertices, const SHI_T *radiance, SHI_T *out, SHI_MANY(shi_vector) *work)
+                                         const SHI_T *vertices, const SHI_T *radiance, SHI_T *out,
+                                         SHI_MANY(shi_vector) *work)
 {
     const int lanes = SHI_MANY(shi_polygon_lanes), size = n * n, rows = planes * size, totals = SHI_TOTALS(n);
     const size_t row = (size_t)rows, stride = (size_t)channels * row;
-    SHI_MANY(shi_vector) *const scratch = work + 3 * totals, *const sums = work + 4 * totals, *const results = sums + 2 * (n + 1) * (n + 2);
+    SHI_MANY(shi_vector) *const sums = work + 3 * totals;
     SHI_FN(shi_rules) rules;
     size_t p, g;
     int c, k, i, l, status = SH_OK;
-    SHI_FN(shi_make_rules)(&rules);
+    rules.made = 0;
     for (p = 0; p < points; p += (size_t)lanes) {
         const int used = points - p < (size_t)lanes ? (int)(points - p) : lanes;
-        SHI_T x[3 * SHI_MANY(shi_polygon_lanes)], axis[SHI_MANY(shi_polygon_lanes)];
+        SHI_T x[3 * SHI_MANY(shi_polygon_lanes)];
         SHI_MANY(shi_vector) xv[3];
-        int valid[SHI_MANY(shi_polygon_lanes)];
-        for (i = 0; i < lanes; i++) {
-            const size_t at = p + (size_t)(i < used ? i : used - 1);
-            if (grid) {
-                const size_t nx = (size_t)grid->count[0], ny = (size_t)grid->count[1], node = first + at;
+        int valid = 1, good[SHI_MANY(shi_polygon_lanes)];
+        if (grid) {
+            for (i = 0; i < used; i++) {
+                const size_t nx = (size_t)grid->count[0], ny = (size_t)grid->count[1], node = first + p + (size_t)i;
                 x[3 * i] = grid->origin[0] + (SHI_T)(node % nx) * grid->cell[0];
                 x[3 * i + 1] = grid->origin[1] + (SHI_T)(node / nx % ny) * grid->cell[1];
                 x[3 * i + 2] = grid->origin[2] + (SHI_T)(node / nx / ny) * grid->cell[2];
-            } else {
-                for (k = 0; k < 3; k++) x[3 * i + k] = point[3 * at + (size_t)k];
             }
-            valid[i] = SHI_FN(shi_finite)(x + 3 * i, 3);
-            if (!valid[i]) {
-                if (i < used) status = SH_ERROR_NOT_FINITE;
-                x[3 * i] = x[3 * i + 1] = x[3 * i + 2] = 0;
-            }
+        } else {
+            memcpy(x, point + 3 * p, (size_t)(3 * used) * sizeof *x);
         }
-        for (k = 0; k < 3; k++) {
-            for (i = 0; i < lanes; i++) axis[i] = x[3 * i + k];
-            xv[k] = SHI_MANY(shi_load)(axis);
+        for (i = 0; i < used; i++) {
+            good[i] = SHI_FN(shi_finite)(x + 3 * i, 3);
+            if (good[i]) continue;
+            valid = 0;
+            status = SH_ERROR_NOT_FINITE;
+            x[3 * i] = x[3 * i + 1] = x[3 * i + 2] = 0;     /* what is computed there is left out below */
         }
+        SHI_MANY(shi_load3)(x, used, xv);
         for (c = 0; c < channels; c += 3) {
             const int pass = channels - c < 3 ? channels - c : 3;
-            SHI_MANY(shi_vector) omega[4];
+            SHI_MANY(shi_vector) omega[3];
+            SHI_T r[3] = { 1, 1, 1 };
             const SHI_T *v = vertices;
             int any = 0, surface = 0;
-            for (l = 0; l < pass * totals; l++) work[l] = SHI_MANY(shi_splat)(0);
+            for (k = 0; k < pass; k++)
+                for (l = SHI_FLUX_AT(n); l < (planes == SH_GRADIENT ? SHI_RAY_AT(n) : SHI_SLOPE_AT(n)); l++)
+                    work[k * totals + l] = SHI_MANY(shi_splat)(0);
             omega[0] = omega[1] = omega[2] = SHI_MANY(shi_splat)(0);
             for (g = 0; g < polygons; v += 3 * counts[g++]) {
                 SHI_MANY(shi_mask) hard;
-                if (pass == 1) {
-                    surface |= SHI_MANY(shi_polygon_block)(n, planes, sides, &rules, xv, (size_t)counts[g], v,
-                        radiance ? radiance[(size_t)c * polygons + g] : SHI_C(1), work, omega, &hard, sums);
-                } else {
-                    for (l = 0; l < totals; l++) scratch[l] = SHI_MANY(shi_splat)(0);
-                    omega[3] = SHI_MANY(shi_splat)(0);
-                    surface |= SHI_MANY(shi_polygon_block)(n, planes, sides, &rules, xv, (size_t)counts[g], v, SHI_C(1), scratch, omega + 3, &hard, sums);
-                    for (k = 0; k < pass; k++) {
-                        const SHI_T r = radiance[(size_t)(c + k) * polygons + g];
-                        SHI_MANY(shi_vector) *const to = work + k * totals;
-                        for (l = 0; l < totals; l++) to[l] += r * scratch[l];
-                        omega[k] += r * omega[3];
-                    }
-                }
+                for (k = 0; radiance && k < pass; k++) r[k] = radiance[(size_t)(c + k) * polygons + g];
+                SHI_MANY(shi_polygon_block)(n, planes, sides, &rules, xv, (size_t)counts[g], v, pass, r, work, omega,
+                                            &surface, &hard, sums);
                 any |= SHI_MANY(shi_any)(hard);
             }
             for (k = 0; k < pass; k++) {
                 SHI_T *const to = out + p * stride + (size_t)(c + k) * row;
-                SHI_MANY(shi_polygon_finish)(n, planes, surface, work + k * totals, results);
-                results[0] += omega[k] * SHI_C(0.28209479177387814347);
+                const SHI_T *const results = (const SHI_T *)(const void *)sums;
+                SHI_MANY(shi_polygon_finish)(n, planes, surface, work + k * totals, sums);
+                sums[0] += omega[k] * SHI_C(0.28209479177387814347);
+                if (valid) {
+                    SHI_MANY(shi_transpose_block)(results, lanes, rows, to, stride, used);
+                    continue;
+                }
                 for (i = 0; i < used; i++)
-                    for (l = 0; valid[i] && l < rows; l++)
-                        to[(size_t)i * stride + (size_t)l] = ((const SHI_T *)(const void *)results)[l * lanes + i];
+                    if (good[i])
+                        SHI_ONE(shi_transpose_block)(results + i, lanes, rows, to + (size_t)i * stride, stride, 1);
             }
             if (!any) continue;
-            for (l = 0; l < totals; l++) scratch[l] = SHI_MANY(shi_splat)(0);
             for (g = 0, v = vertices; g < polygons; v += 3 * counts[g++]) {         /* rare: points in the plane of a light */
                 SHI_MANY(shi_mask) hard;
                 SHI_I marks[SHI_MANY(shi_polygon_lanes)];
-                SHI_MANY(shi_polygon_block)(n, planes, sides, &rules, xv, (size_t)counts[g], v, SHI_C(0), scratch, omega + 3, &hard, sums);
+                SHI_MANY(shi_polygon_block)(n, planes, sides, &rules, xv, (size_t)counts[g], v, 0, r, work, omega,
+                                            &surface, &hard, sums);
                 memcpy(marks, &hard, sizeof marks);
                 for (i = 0; i < used; i++) {
-                    double y[3], value[SH_MAX_POLYGON_BANDS * SH_MAX_POLYGON_BANDS], grad[3 * SH_MAX_POLYGON_BANDS * SH_MAX_POLYGON_BANDS];
+                    double y[3], value[SH_MAX_POLYGON_BANDS * SH_MAX_POLYGON_BANDS];
+                    double grad[3 * SH_MAX_POLYGON_BANDS * SH_MAX_POLYGON_BANDS];
                     int one;
-                    if (!marks[i] || !valid[i]) continue;
+                    if (!marks[i] || !good[i]) continue;
                     for (k = 0; k < 3; k++) y[k] = (double)x[3 * i + k];
                     one = shi_polygon_engine(n, sides, SHI_BITS == 64, y, (size_t)counts[g], v, SHI_BITS == 32, value,
                                              planes == SH_GRADIENT ? grad : NULL, NULL);
                     if (one > status && status >= 0) status = one;
                     for (k = 0; k < pass; k++) {
-                        const double r = radiance ? (double)radiance[(size_t)(c + k) * polygons + g] : 1;
+                        const double f = radiance ? (double)radiance[(size_t)(c + k) * polygons + g] : 1;
                         SHI_T *const to = out + (p + (size_t)i) * stride + (size_t)(c + k) * row;
-                        for (l = 0; l < rows; l++) to[l] = SHI_FN(shi_polygon_round)((double)to[l] + r * (l < size ? value[l] : grad[l - size]));
+                        for (l = 0; l < rows; l++)
+                            to[l] = SHI_FN(shi_polygon_round)((double)to[l] + f * (l < size ? value[l] : grad[l - size]));
                     }
                 }
             }
@@ -5399,21 +5532,23 @@ SHI_INLINE int SHI_FN(shi_polygons_with)(int n, int planes, int channels, int si
     return status;
 }
 
-#define SHI_POLYGON_WORK(n) (4 * SHI_TOTALS(n) + 2 * ((n) + 1) * ((n) + 2) + 4 * (n) * (n))
+#define SHI_POLYGON_WORK(n) (3 * SHI_TOTALS(n) + SHI_POLYGON_SUMS(n))
 SHI_NOINLINE int SHI_FN(shi_polygons_10)(int n, int planes, int channels, int sides, size_t points, const SHI_T *point,
                                          const SHI_FN(sh_grid) *grid, size_t first, size_t polygons, const int *counts,
                                          const SHI_T *vertices, const SHI_T *radiance, SHI_T *out)
 {
     SHI_MANY(shi_vector) work[SHI_POLYGON_WORK(10)];
-    return SHI_FN(shi_polygons_with)(n, planes, channels, sides, points, point, grid, first, polygons, counts, vertices, radiance, out, work);
+    return SHI_FN(shi_polygons_with)(n, planes, channels, sides, points, point, grid, first, polygons, counts, vertices,
+                                     radiance, out, work);
 }
 SHI_NOINLINE int SHI_FN(shi_polygons_16)(int n, int planes, int channels, int sides, size_t points, const SHI_T *point,
                                          const SHI_FN(sh_grid) *grid, size_t first, size_t polygons, const int *counts,
                                          const SHI_T *vertices, const SHI_T *radiance, SHI_T *out)
 {
     SHI_MANY(shi_vector) work[SHI_POLYGON_WORK(SH_MAX_POLYGON_BANDS)];
-    n = n < SH_MAX_POLYGON_BANDS ? n : SH_MAX_POLYGON_BANDS;         /* is; a compiler that clones this for a refused 17 cannot know */
-    return SHI_FN(shi_polygons_with)(n, planes, channels, sides, points, point, grid, first, polygons, counts, vertices, radiance, out, work);
+    n = n < SH_MAX_POLYGON_BANDS ? n : SH_MAX_POLYGON_BANDS;    /* is; a compiler that clones this for 17 cannot know */
+    return SHI_FN(shi_polygons_with)(n, planes, channels, sides, points, point, grid, first, polygons, counts, vertices,
+                                     radiance, out, work);
 }
 SHI_INLINE int SHI_FN(shi_polygons_any)(int n, int planes, int channels, int sides, size_t points, const SHI_T *point,
                                         const SHI_FN(sh_grid) *grid, size_t first, size_t polygons, const int *counts,
