@@ -40,13 +40,15 @@ TEST_TARGETS += test-matrix-quick
 test-matrix-quick: ; @sh tests/matrix.sh quick $(BUILD)
 test-matrix:       ; @sh tests/matrix.sh full $(BUILD)
 
-# The oracle program against mpmath: a little with `make test`, more here.
+# The oracle program against mpmath, every function, convention and error: a little with `make test`, more here.
 .PHONY: test-oracle oracle-check
 TEST_TARGETS += test-oracle
 test-oracle: $(BUILD)/sh-oracle
 	@$(PYTHON) tests/check_oracle.py $(BUILD)/sh-oracle --queries 1
+	@$(PYTHON) tests/check_oracle_polygon.py $(BUILD)/sh-oracle --queries 1 --self-check 2
 oracle-check: $(BUILD)/sh-oracle
-	@$(PYTHON) tests/check_oracle.py $(BUILD)/sh-oracle --queries 24
+	@$(PYTHON) tests/check_oracle.py $(BUILD)/sh-oracle --bands all --queries 8
+	@$(PYTHON) tests/check_oracle_polygon.py $(BUILD)/sh-oracle --queries 24 --self-check 16
 
 # The tests under the sanitizers; memory needs clang and everything instrumented, so it runs without cmocka.
 TESTS_SANITIZED := $(filter-out tests/test_reference.c,$(TESTS_SOURCES))

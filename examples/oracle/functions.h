@@ -42,8 +42,8 @@ static int F(run_sphere)(const options *o, const T *q, size_t count, T *out)
 static int F(run_polygon)(const options *o, const T *q, size_t count, T *out)
 {
     const T vertices = q[3];
-    if (!(vertices >= 0 && vertices <= (T)count) || 4 + 3 * (size_t)vertices != count || (T)(size_t)vertices != vertices)
-        return SH_ERROR_COUNT;
+    if (!(vertices >= 0 && vertices <= (T)count)) return SH_ERROR_COUNT;
+    if (4 + 3 * (size_t)vertices != count || (T)(size_t)vertices != vertices) return SH_ERROR_COUNT;
     return F(sh_polygon)(o->bands, o->sides, q, (size_t)vertices, q + 4, out, out + o->bands * o->bands);
 }
 
@@ -111,32 +111,6 @@ static size_t F(width)(const options *o, char kind, int ours)
          : (size_t)(ours ? o->bands * o->bands : sh_convention_size(o->from, o->bands));
 }
 
-/* Appends the numbers of a line, which must fit the layout of the function's query. */
-static int F(parse)(const options *o, const char *text, long line, numbers *q)
-{
-    const char *layout;
-    size_t found = 0, wanted = 0;
-
-    for (;; found++) {
-        const size_t length = strcspn(text, ",");
-        char *end;
-        const T value = PARSE(text, &end);
-        if (end == text || end + strspn(end, " \t") != text + length || memchr(text, 'x', length) || memchr(text, 'X', length)) {
-            fprintf(stderr, "sh-oracle: line %ld: \"%.*s\" is not a decimal number\n", line, (int)length, text);
-            return SH_ERROR_NOT_FINITE;
-        }
-        if (q->count + 1 > q->room) q->data = grow(q->data, (q->room = 2 * q->room + 64) * sizeof(T));
-        ((T *)q->data)[q->count++] = value;
-        if (!text[length]) break;
-        text += length + 1;
-    }
-    found++;
-    for (layout = o->function->layout; *layout && *layout != '*'; layout++) wanted += F(width)(o, *layout, 0);
-    if (*layout ? found >= wanted && (found - wanted) % F(width)(o, layout[1], 0) == 0 : found == wanted) return SH_OK;
-    fprintf(stderr, "sh-oracle: line %ld: %lu numbers do not make %s\n", line, (unsigned long)found, o->function->query);
-    return SH_ERROR_COUNT;
-}
-
 /* The query in the library's axes and coefficients; returns how many numbers that is. `ours` has room for it. */
 static size_t F(from_theirs)(const options *o, const T *theirs, size_t count, T *ours)
 {
@@ -168,6 +142,52 @@ static size_t F(from_theirs)(const options *o, const T *theirs, size_t count, T 
         else if (!strchr(o->function->layout, '*')) layout = o->function->layout;       /* the next line's */
     }
     return (size_t)(ours - first);
+}
+
+static T F(answers)[10 * SH_MAX_BANDS * SH_MAX_BANDS];
+
+/* The function's answer to the numbers from `first` on. */
+static int F(call)(const options *o, const numbers *q, size_t first, long line)
+{
+    T *ours = (T *)grow(NULL, (q->count - first + 2 * SH_MAX_BANDS * SH_MAX_BANDS) * sizeof(T));
+    const size_t count = F(from_theirs)(o, (const T *)q->data + first, q->count - first, ours);
+    const int status = o->function->F(run)(o, ours, count, F(answers));
+    free(ours);
+    if (status != SH_OK) complain(line, status);
+    return status;
+}
+
+/* Appends the numbers of a line, which must fit the layout of the function's query; a line that is only a part of
+ * the query is tried alone, so that what is wrong with it can be said with its number. */
+static int F(parse)(const options *o, const char *text, long line, numbers *q)
+{
+    const int shown = 40;
+    const char *layout;
+    const size_t before = q->count;
+    size_t found = 0, wanted = 0;
+
+    for (;; found++) {
+        const size_t length = strcspn(text, ",");
+        char *end;
+        const T value = PARSE(text, &end);
+        if (end == text || end + strspn(end, " \t") != text + length
+            || memchr(text, 'x', length) || memchr(text, 'X', length)) {
+            fprintf(stderr, "sh-oracle: line %ld: \"%.*s\" is not a decimal number\n", line,
+                    length < (size_t)shown ? (int)length : shown, text);
+            return SH_ERROR_NOT_FINITE;
+        }
+        if (q->count + 1 > q->room) q->data = grow(q->data, (q->room = 2 * q->room + 64) * sizeof(T));
+        ((T *)q->data)[q->count++] = value;
+        if (!text[length]) break;
+        text += length + 1;
+    }
+    found++;
+    for (layout = o->function->layout; *layout && *layout != '*'; layout++) wanted += F(width)(o, *layout, 0);
+    if (*layout ? found >= wanted && (found - wanted) % F(width)(o, layout[1], 0) == 0 : found == wanted)
+        return o->function->whole ? F(call)(o, q, before, line) : SH_OK;
+    fprintf(stderr, "sh-oracle: line %ld: %lu numbers do not make %s\n", line, (unsigned long)found,
+            o->function->query);
+    return SH_ERROR_COUNT;
 }
 
 /* ---- text out ---- */
@@ -226,20 +246,14 @@ static const T *F(print_component)(const options *o, const char *component, cons
 /* Answers one query, or passes on the error of reading it. Returns 1 for a bad one. */
 static int F(answer)(const options *o, const numbers *q, int status, long line)
 {
-    static T out[10 * SH_MAX_BANDS * SH_MAX_BANDS];
-    const function *f = o->function;
     const char *component;
-    const T *value = out;
+    const T *value = F(answers);
 
-    if (status == SH_OK) {
-        T *ours = (T *)grow(NULL, (q->count + 2 * SH_MAX_BANDS * SH_MAX_BANDS) * sizeof(T));
-        const size_t count = F(from_theirs)(o, (const T *)q->data, q->count, ours);
-        status = f->F(run)(o, ours, count, out);
-        free(ours);
-        if (status != SH_OK) complain(line, status);
-    }
+    if (status == SH_OK) status = F(call)(o, q, 0, line);
     if (status < 0) { printf("error,%s\n", sh_status_string(status)); return 1; }
-    for (component = f->components; component; component = strchr(component, ' '), component += component != NULL)
+    for (component = o->function->components; component; component = strchr(component, ' ')) {
+        component += *component == ' ';
         value = F(print_component)(o, component, value);
+    }
     return 0;
 }

@@ -171,14 +171,14 @@ static int parse_command_line(int argc, char **argv, options *o)
 }
 
 /* ---- lines ---- */
-/* The next line of any length without its end, in *line; 0 at the end of the input. */
+/* The next line of any length without its end, in *line, a NUL as '?'; 0 at the end of the input. */
 static int read_line(char **line, size_t *room)
 {
     size_t n = 0;
     int c;
     while ((c = getchar()) != EOF && c != '\n') {
         if (n + 2 > *room) *line = (char *)grow(*line, *room = 2 * *room + 256);
-        (*line)[n++] = (char)c;
+        (*line)[n++] = c ? (char)c : '?';
     }
     if (c == EOF && n == 0) return 0;
     if (*room == 0) *line = (char *)grow(*line, *room = 256);
@@ -209,7 +209,7 @@ int main(int argc, char **argv)
         if (!*text || *text == '#') continue;
         if (!o.function->whole) query.count = 0;
         status = o.precision ? parse_f64(&o, text, at, &query) : parse_f32(&o, text, at, &query);
-        if (status != SH_OK) whole = status;
+        if (whole == SH_OK) whole = status;
         if (!o.function->whole) bad |= answer(&o, &query, status, at);
     }
     if (o.function->whole) bad |= answer(&o, &query, whole, 0);
