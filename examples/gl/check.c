@@ -4,32 +4,50 @@
 
 #include <float.h>
 #include <stdlib.h>
+#include <string.h>
 
-/* One node by the headers: out [3 channels][4 planes][n^2]. */
-static void node_by_header(const settings *o, const double point[3], const light *l, int count, double *out)
+/* Adds rgb[c] times c[4][n2] to out[3][4][n2]. */
+static void add_light(int n2, const float rgb[3], const double *c, double *out)
 {
-    const int n2 = o->bands * o->bands;
-    double *planes = need(NULL, 7 * (size_t)count, sizeof *planes), *rgb = planes + 4 * count;
+    int i;
+    for (i = 0; i < 12 * n2; i++) out[i] += (double)rgb[i / (4 * n2)] * c[i % (4 * n2)];
+}
+
+static void wide(const float *from, int count, double *to)
+{
+    while (count-- > 0) to[count] = (double)from[count];
+}
+
+/* One node by the headers: out[3 channels][4 planes][n2]. The moon is one polygon here, not triangles. */
+static void node_by_header(const settings *o, const stage *s, const double point[3], const light *l, double *out)
+{
+    const int n2 = o->bands * o->bands, count = s->count;
+    double *c = need(NULL, 4 * (size_t)n2, sizeof *c);
+    double *p = need(NULL, 7 * (size_t)count + 3 * (size_t)s->moon_corners, sizeof *p), *rgb = p + 4 * count, v[9];
     int i, k;
 
-    for (i = 0; i < count; i++) {
-        for (k = 0; k < 4; k++) planes[k * count + i] = (double)l[i].sphere[k];
-        for (k = 0; k < 3; k++) rgb[k * count + i] = (double)l[i].radiance[k];
-    }
-    if (o->kind == SPHERE_LIGHTS)
-        sh_spheres_f64(o->bands, SH_GRADIENT, 3, point, (size_t)count, planes, rgb, out);
-    else {
-        double *c = need(NULL, 4 * (size_t)n2, sizeof *c), v[3][3];
-        for (i = 0; i < 12 * n2; i++) out[i] = 0;
+    if (o->kind == SPHERE_LIGHTS) {
         for (i = 0; i < count; i++) {
-            for (k = 0; k < 9; k++) v[k / 3][k % 3] = (double)l[i].corner[k / 3][k % 3];
-            if (o->kind == TRIANGLE_LIGHTS) sh_triangle_as_sphere_f64(o->bands, SH_BOTH, point, v[0], v[1], v[2], c, c + n2, NULL);
-            else sh_polygon_f64(o->bands, SH_BOTH, point, 3, v[0], c, c + n2);
-            for (k = 0; k < 12 * n2; k++) out[k] += rgb[k / (4 * n2) * count + i] * c[k % (4 * n2)];
+            for (k = 0; k < 4; k++) p[k * count + i] = (double)l[i].sphere[k];
+            for (k = 0; k < 3; k++) rgb[k * count + i] = (double)l[i].radiance[k];
         }
-        free(c);
+        sh_spheres_f64(o->bands, SH_GRADIENT, 3, point, (size_t)count, p, rgb, out);
+    } else {
+        memset(out, 0, 12 * (size_t)n2 * sizeof *out);
+        for (i = 0; i < count; i++) {
+            for (k = 0; k < 3; k++) wide(l[i].corner[k], 3, v + 3 * k);
+            if (o->kind == POLYGON_LIGHTS) sh_polygon_f64(o->bands, SH_BOTH, point, 3, v, c, c + n2);
+            else sh_triangle_as_sphere_f64(o->bands, SH_BOTH, point, v, v + 3, v + 6, c, c + n2, NULL);
+            add_light(n2, l[i].radiance, c, out);
+        }
     }
-    free(planes);
+    if (s->moon) {
+        wide(s->moon_corner, 3 * s->moon_corners, p);
+        sh_polygon_f64(o->bands, SH_BOTH, point, (size_t)s->moon_corners, p, c, c + n2);
+        add_light(n2, l[count].radiance, c, out);
+    }
+    free(c);
+    free(p);
 }
 
 agreement check_grid(const settings *o, const stage *s, const light *now)
@@ -43,24 +61,27 @@ agreement check_grid(const settings *o, const stage *s, const light *now)
     int node, l, i, c, p, k;
 
     for (node = 0; node < nodes; node++) {
-        const int place[3] = { node % o->nodes[0], node / o->nodes[0] % o->nodes[1], node / (o->nodes[0] * o->nodes[1]) };
+        const int row = node / o->nodes[0];
+        const int place[3] = { node % o->nodes[0], row % o->nodes[1], row / o->nodes[1] };
         double point[3];
         for (k = 0; k < 3; k++) {
             volatile float step = size[k] / (float)(o->nodes[k] - 1) * (float)place[k];     /* no contraction */
             point[k] = (double)(low[k] + step);
         }
-        node_by_header(o, point, now, s->count, cpu);
+        node_by_header(o, s, point, now, cpu);
         for (l = 0; l < o->bands; l++) {
             double worst[2] = { 0, 0 }, largest[2] = { 0, 0 };
             for (i = l * l; i < (l + 1) * (l + 1); i++)
                 for (c = 0; c < 3; c++)
                     for (p = 0; p < 4; p++) {
-                        const double e = cpu[(4 * c + p) * n2 + i], g = (double)gpu[((node * n2 + i) * 3 + c) * 4 + p];
+                        const double e = cpu[(4 * c + p) * n2 + i];
+                        const double g = (double)gpu[((node * n2 + i) * 3 + c) * 4 + p];
                         worst[p > 0] = worse(worst[p > 0], fabs(g - e));
                         largest[p > 0] = worse(largest[p > 0], fabs(e));
                     }
             a.value = worse(a.value, worst[0] / (largest[0] * (double)FLT_EPSILON));
-            if (largest[1] > 0 || !(worst[1] <= 0)) a.gradient = worse(a.gradient, worst[1] / (largest[1] * (double)FLT_EPSILON));
+            if (largest[1] > 0 || !(worst[1] <= 0))
+                a.gradient = worse(a.gradient, worst[1] / (largest[1] * (double)FLT_EPSILON));
         }
     }
     free(gpu);

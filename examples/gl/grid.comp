@@ -1,4 +1,4 @@
-/* grid.comp - pass 1: coefficients and gradients of all lights at every node of the grid.
+/* grid.comp - pass 1: coefficients and gradients of the lights at every node of the grid.
  *
  * One work group per node. Its threads are LANES lights by ROWS rows; each sums what its lights give to its
  * row, and the lanes are added up at the end. FORM selects what a thread keeps while it walks over the lights:
@@ -8,22 +8,21 @@
  *     MOMENTS   three sums of plain basis values of one signed m: ROWS = 2n+1. The gradient appears after the
  *               last light, by a small sparse product: d/dx_k [f(d) Y_lm] lies in bands l-1 and l+1, with
  *               radial factors f' + (l+1) f/d and f' - l f/d and coefficients that know nothing of the light.
- *     LOBES     exact triangles: zonal sums about one fixed axis, ROWS = 2n-1 axes or a few more; weights that
- *               know nothing of the light turn them into coefficients (WR18, and Wu et al. 2020)
+ *     COEFFICIENTS  those of REVERSE without gradients: what trilinear interpolation needs
+ *     EXACT     exact triangles, in the rows of REVERSE; the lanes are the nodes of one triangle at a time
  *
  * With TRIANGLES each sphere stands for a triangle (M22, 4.4): its light is scaled by the cosine to the
  * triangle's normal, whose own gradient adds a term along the normal. */
 #define FORWARD 0
 #define REVERSE 1
 #define MOMENTS 2
-#define LOBES   3
+#define COEFFICIENTS 3
+#define EXACT   4
+#define LANES   8
+#define ROWS    (FORM == FORWARD ? 1 : FORM == MOMENTS ? 2 * SH_BANDS + 1 : 2 * SH_BANDS - 1)
 
 #define TOP     (FORM == MOMENTS ? SH_BANDS : SH_BANDS - 1)             /* the highest band summed */
-#if FORM == MOMENTS
-#  define KEPT  (3 + 3 * TRIANGLES)                                     /* sums per coefficient */
-#else
-#  define KEPT  4                                                       /* value and gradient */
-#endif
+#define KEPT    (FORM == MOMENTS ? 3 + 3 * TRIANGLES : FORM == COEFFICIENTS ? 1 : 4)     /* sums per coefficient */
 #define VALUES  (FORM == FORWARD ? 4 * SH_N : KEPT * (TOP + 1))         /* of a thread */
 #define CHUNK   32                                                      /* lights prepared at once */
 #define BATCH   4                                                       /* values reduced at once */
@@ -33,8 +32,7 @@ layout(local_size_x = LANES, local_size_y = ROWS) in;
 struct Light { vec4 sphere, radiance, normal, corner[3]; };
 layout(std430, binding = 0) readonly buffer Lights { Light light[]; };
 layout(std430, binding = 1) buffer Nodes { vec4 node[]; };              /* [node][coefficient][channel] */
-layout(std430, binding = 3) readonly buffer Axes { vec4 axis[17]; float axis_weight[]; };   /* [i][axis] */
-uniform int lights;
+uniform int first, last;                                                /* of the lights */
 uniform ivec3 count;
 uniform vec3 origin, cell;
 uniform bool add;                                                       /* to what the nodes hold */
@@ -50,8 +48,6 @@ shared float distance_of[CHUNK], weight_of[3][SH_BANDS + 1][CHUNK];
 shared vec3 part[ROWS][BATCH][LANES + 1];
 #if FORM == MOMENTS
 shared vec3 moment[KEPT][(SH_BANDS + 1) * (SH_BANDS + 1)];
-#elif FORM == LOBES
-shared vec3 zonal[VALUES][ROWS];
 #endif
 
 void put(int i, int plane, vec3 rgb)
@@ -98,16 +94,23 @@ vec2 power(vec2 p, int m)
     return e;
 }
 
-#if FORM == LOBES
+#if FORM == EXACT
 void accumulate(Light light, inout vec3 sum[VALUES])
 {
-    float s[SH_BANDS];
-    vec3 grad[SH_BANDS];
-    sh_triangle_zonal(light.corner[0].xyz - point, light.corner[1].xyz - point, light.corner[2].xyz - point,
-                      axis[row].xyz, s, grad);
-    for (int l = 0; l < SH_BANDS; l++) {
-        sum[4 * l] += s[l] * light.radiance.rgb;
-        for (int k = 0; k < 3; k++) sum[4 * l + 1 + k] += grad[l][k] * light.radiance.rgb;
+    int m = abs(order);
+    vec3 radiance = light.radiance.rgb;
+    sh_seen t = sh_triangle_of(SH_BANDS, point, light.corner[0].xyz, light.corner[1].xyz, light.corner[2].xyz);
+    if (order == 0 && lane == 0) sum[0] += t.angle * SH_K[0] * radiance;
+    for (int octet = 0; octet < t.octets; octet++) {
+        sh_node p = sh_triangle_node(t, octet, lane);
+        vec2 e1 = m > 0 ? power(p.u.xy, m - 1) : vec2(0.0), e = m > 0 ? sh_times(e1, p.u.xy) : vec2(1.0, 0.0);
+        if (order < 0) { e = vec2(e.y, -e.x); e1 = vec2(e1.y, -e1.x); }
+        sh_column c = sh_first(m);
+        for (int j = 0; j <= TOP - m; j++) {
+            vec4 part = sh_node_part(p, c, m + j, m, e, e1);
+            for (int k = 0; k < 4; k++) sum[4 * j + k] += part[k] * radiance;
+            sh_climb(c, climb[j], p.u.z);
+        }
     }
 }
 #elif FORM == FORWARD
@@ -150,13 +153,15 @@ void accumulate(int slot, inout vec3 sum[VALUES])
 #endif
 #else
         float y = c.q * e.x, g = weight_of[0][l][slot];
+        sum[KEPT * j] += (g * y) * radiance;
+#if FORM == REVERSE
         vec3 t = sh_polynomial_grad(c, m, e, e1);
         vec3 grad = -(weight_of[1][l][slot] * y * u + (g / distance_of[slot]) * (t - u * dot(u, t)));
 #if TRIANGLES
         grad += (g * y) * turn_of[slot];
 #endif
-        sum[4 * j] += (g * y) * radiance;
         for (int k = 0; k < 3; k++) sum[4 * j + 1 + k] += grad[k] * radiance;
+#endif
 #endif
         }
         sh_climb(c, climb[j], u.z);
@@ -170,15 +175,13 @@ void store(int value, vec3 total)
 {
 #if FORM == FORWARD
     put(value / 4, value % 4, total);
-#elif FORM == LOBES
-    zonal[value][row] = total;
 #else
     int l = abs(order) + value / KEPT, i = l * (l + 1) + order;
     if (l > TOP) return;
 #if FORM == MOMENTS
     moment[value % KEPT][i] = total;
 #else
-    put(i, value % 4, total);
+    put(i, value % KEPT, total);
 #endif
 #endif
 }
@@ -242,18 +245,6 @@ void finish(int l, int m)
 }
 #endif
 
-#if FORM == LOBES
-void finish(int l, int m)
-{
-    int i = l * (l + 1) + m;
-    for (int plane = 0; plane < 4; plane++) {
-        vec3 total = vec3(0.0);
-        for (int j = 0; j < ROWS; j++) total += axis_weight[i * ROWS + j] * zonal[4 * l + plane][j];
-        put(i, plane, total);
-    }
-}
-#endif
-
 void main()
 {
     place = int(gl_WorkGroupID.x);
@@ -263,24 +254,23 @@ void main()
     lane = int(gl_LocalInvocationID.x);
     row = int(gl_LocalInvocationID.y);
     order = row - ROWS / 2;
-
+    for (int j = 0; j <= TOP; j++) climb[j] = sh_step(min(abs(order) + j + 1, TOP + 1), abs(order));
 
     vec3 sum[VALUES];
     for (int i = 0; i < VALUES; i++) sum[i] = vec3(0.0);
-#if FORM == LOBES
-    for (int i = lane; i < lights; i += LANES) accumulate(light[i], sum);
+#if FORM == EXACT
+    for (int i = first; i < last; i++) accumulate(light[i], sum);
 #else
-    for (int j = 0; j <= TOP; j++) climb[j] = sh_step(min(abs(order) + j + 1, TOP + 1), abs(order));
-    for (int first = 0; first < lights; first += CHUNK) {
-        int here = min(CHUNK, lights - first);
-        for (int i = int(gl_LocalInvocationIndex); i < here; i += LANES * ROWS) prepare(i, light[first + i]);
+    for (int start = first; start < last; start += CHUNK) {
+        int here = min(CHUNK, last - start);
+        for (int i = int(gl_LocalInvocationIndex); i < here; i += LANES * ROWS) prepare(i, light[start + i]);
         barrier();
         for (int i = lane; i < here; i += LANES) accumulate(i, sum);
         barrier();
     }
 #endif
     reduce(sum);
-#if FORM == MOMENTS || FORM == LOBES
+#if FORM == MOMENTS
     for (int i = int(gl_LocalInvocationIndex); i < SH_N; i += LANES * ROWS) {
         int l = int(sqrt(float(i) + 0.5));
         finish(l, i - l * (l + 1));

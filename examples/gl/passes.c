@@ -1,100 +1,19 @@
-/* passes.c - shaders and buffers, and the passes of a frame. */
-#include "sh_polygon.h"
+/* passes.c - buffers and targets, and the passes of a frame. */
 #include "gl.h"
 #include "gl_shaders.h"                                     /* the shader files as arrays of lines, by rules.mk */
 
-#include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <time.h>
-#include <stb/stb_easy_font.h>
-
-/* ---- programs: one per shader files and definitions, compiled when first used ---- */
-
-typedef struct { char key[200]; GLuint id; } program;
-static program programs[512];
-static int     program_count;
-
-static GLuint compile(GLenum type, const char *defines, const char *const *const *files)
-{
-    static const char *line[4096];
-    const GLuint id = glCreateShader(type);
-    GLsizei lines = 0;
-    GLint good;
-    int f, i;
-
-    line[lines++] = "#version 450 core\n";
-    line[lines++] = defines;
-    for (f = 0; files[f]; f++) {
-        line[lines++] = f == 0 ? "#line 1 0\n" : f == 1 ? "#line 1 1\n" : "#line 1 2\n";
-        for (i = 0; files[f][i]; i++) line[lines++] = files[f][i];
-    }
-    glShaderSource(id, lines, line, NULL);
-    glCompileShader(id);
-    glGetShaderiv(id, GL_COMPILE_STATUS, &good);
-    if (!good) {
-        static char log[4096];
-        glGetShaderInfoLog(id, sizeof log, NULL, log);
-        die("a shader does not compile; its definitions are\n%sand the compiler says\n%s", defines, log);
-    }
-    return id;
-}
-
-/* files: lists of files for a compute shader, or for a vertex and a fragment shader, each ended by NULL. */
-static GLuint use(const char *const *const *first, const char *const *const *second, const char *format, ...)
-{
-    program *p;
-    GLuint a, b = 0;
-    GLint good;
-    char key[sizeof p->key];
-    va_list args;
-    int i, n;
-
-    n = snprintf(key, sizeof key, "/* %p %p */\n", (const void *)first[0], second ? (const void *)second[0] : NULL);
-    va_start(args, format);
-    vsnprintf(key + n, sizeof key - (size_t)n, format, args);
-    va_end(args);
-    for (i = 0; i < program_count; i++)
-        if (!strcmp(programs[i].key, key)) {
-            glUseProgram(programs[i].id);
-            return programs[i].id;
-        }
-    if (program_count == (int)(sizeof programs / sizeof *programs)) die("too many shader programs");
-    p = &programs[program_count++];
-    strcpy(p->key, key);
-    p->id = glCreateProgram();
-    a = compile(second ? GL_VERTEX_SHADER : GL_COMPUTE_SHADER, key, first);
-    glAttachShader(p->id, a);
-    if (second) glAttachShader(p->id, b = compile(GL_FRAGMENT_SHADER, key, second));
-    glLinkProgram(p->id);
-    glDeleteShader(a);
-    if (b) glDeleteShader(b);
-    glGetProgramiv(p->id, GL_LINK_STATUS, &good);
-    if (!good) {
-        char log[2048];
-        glGetProgramInfoLog(p->id, sizeof log, NULL, log);
-        die("shaders do not link; their definitions are\n%sand the linker says\n%s", key, log);
-    }
-    glUseProgram(p->id);
-    return p->id;
-}
-
-#define FILES(...) (const char *const *const []){ __VA_ARGS__, NULL }
-
-static GLint  at(GLuint p, const char *name) { return glGetUniformLocation(p, name); }
-static void   set1(GLuint p, const char *name, int v) { glUniform1i(at(p, name), v); }
-static void   set2(GLuint p, const char *name, float x, float y) { glUniform2f(at(p, name), x, y); }
-static void   set3(GLuint p, const char *name, vec3 v) { glUniform3f(at(p, name), v.x, v.y, v.z); }
 
 /* ---- buffers and targets ---- */
 
-enum { LIGHTS, NODES, MATERIAL_TABLE, AXES, BUFFERS };
-enum { PLACES, NORMALS, EMITTED, OPEN_RAW, OPEN, SHADED, REFERENCE, SHOWN, TARGETS };
-static GLuint buffer[BUFFERS], texels[BUFFERS], vertices, letters, arrays, letter_array, query[PASSES];
-static GLuint target[TARGETS], canvas[TARGETS], depth;
+enum { LIGHTS, NODES, MATERIAL_TABLE, HIDDEN, CORNERS, BUFFERS };         /* bound where the shaders say */
+enum { PLACES, NORMALS, EMITTED, INSIDE, OPEN_RAW, OPEN, SHADED, REFERENCE, SHOWN, TARGETS };
+static GLuint buffer[BUFFERS], texels[BUFFERS], vertices, arrays, query[PASSES], target[TARGETS], canvas[TARGETS], depth;
 static size_t held_nodes;
-static int    held_axes, software, light_count, vertex_count, turning_count;
+static int    software, sphere_count, light_count, vertex_count, turning_count;
 static int    target_width, target_height, target_samples;
 
 static void store(int which, size_t bytes, const void *data)
@@ -122,27 +41,6 @@ static void send_materials(void)
     store(MATERIAL_TABLE, sizeof to, to);
 }
 
-/* As buffer Axes of grid.comp: a set of the header's lobes, and what turns sums about them to coefficients. */
-static int axes(int bands) { return 2 * (bands | 1) - 1; }
-
-static void send_axes(int bands)
-{
-    static const double *const lobes[] = { shi_lobes_3, shi_lobes_5, shi_lobes_7, shi_lobes_9 };
-    static const double *const weights[] = { shi_weights_3, shi_weights_5, shi_weights_7, shi_weights_9 };
-    static float to[17 * 4 + 81 * 17];
-    const int set = bands / 2 - 1;
-    int i;
-
-    if (held_axes == bands) return;
-    for (i = 0; i < 3 * axes(bands); i++) to[i / 3 * 4 + i % 3] = (float)lobes[set][i];
-    for (i = 0; i < bands * bands * axes(bands); i++) {
-        const int l = (int)sqrtf((float)(i / axes(bands)) + 0.5f);
-        to[17 * 4 + i] = (float)(weights[set][i] * sqrt((2 * l + 1) / 12.566370614359172));
-    }
-    store(AXES, sizeof to, to);
-    held_axes = bands;
-}
-
 void passes_open(const stage *s)
 {
     const char *renderer = (const char *)glGetString(GL_RENDERER);
@@ -153,7 +51,6 @@ void passes_open(const stage *s)
     glCreateTextures(GL_TEXTURE_BUFFER, BUFFERS, texels);
     glGenQueries(PASSES, query);
     glCreateBuffers(1, &vertices);
-    glCreateBuffers(1, &letters);
     glNamedBufferData(vertices, (GLsizeiptr)(7 * (size_t)s->vertices * sizeof(float)), s->vertex, GL_STATIC_DRAW);
     glCreateVertexArrays(1, &arrays);
     glVertexArrayVertexBuffer(arrays, 0, vertices, 0, 7 * sizeof(float));
@@ -164,47 +61,47 @@ void passes_open(const stage *s)
     }
     vertex_count = s->vertices;
     turning_count = s->turning;
-    glCreateVertexArrays(1, &letter_array);
-    glVertexArrayVertexBuffer(letter_array, 0, letters, 0, 2 * sizeof(float));
-    glVertexArrayAttribFormat(letter_array, 0, 2, GL_FLOAT, GL_FALSE, 0);
-    glVertexArrayAttribBinding(letter_array, 0, 0);
-    glEnableVertexArrayAttrib(letter_array, 0);
+    store(HIDDEN, (size_t)s->hides * 81 * sizeof(float), s->hidden);
+    store(CORNERS, (size_t)s->vertices * sizeof(int), s->index);
+    letters_open();
     send_materials();
 }
 
 void passes_close(void)
 {
-    int i;
-    for (i = 0; i < program_count; i++) glDeleteProgram(programs[i].id);
-    program_count = 0;
+    programs_close();
+    letters_close();
     glDeleteBuffers(BUFFERS, buffer);
     glDeleteTextures(BUFFERS, texels);
     glDeleteBuffers(1, &vertices);
-    glDeleteBuffers(1, &letters);
     glDeleteVertexArrays(1, &arrays);
-    glDeleteVertexArrays(1, &letter_array);
     glDeleteQueries(PASSES, query);
     if (target_width) {
         glDeleteTextures(TARGETS, target);
         glDeleteFramebuffers(TARGETS, canvas);
         glDeleteRenderbuffers(1, &depth);
     }
-    target_width = held_axes = 0;
+    target_width = 0;
     held_nodes = 0;
 }
 
-void passes_lights(const light *now, int count)
+void passes_lights(const settings *o, const stage *s, const light *now, int few)
 {
+    const int exact = o->kind == POLYGON_LIGHTS, moon = few && s->moon ? 1 : s->moon;
+    const int first = few ? s->count - 1 : 0, count = s->count - first + moon;
     const int room = count > 4096 ? count : 4096;           /* llvmpipe compiles anew for another size */
+
     store(LIGHTS, (size_t)room * sizeof *now, NULL);
-    glBufferSubData(GL_SHADER_STORAGE_BUFFER, 0, (GLsizeiptr)((size_t)count * sizeof *now), now);
+    glBufferSubData(GL_SHADER_STORAGE_BUFFER, 0, (GLsizeiptr)((size_t)count * sizeof *now), now + first);
+    sphere_count = exact ? 0 : s->count - first;
     light_count = count;
 }
 
-/* Textures for the picture's size, each with a framebuffer that draws into it; PLACES draws the first three. */
+/* Textures for the picture's size, each with a framebuffer that draws into it; PLACES draws the first four. */
 static void targets(const settings *o)
 {
-    static const GLenum three[3] = { GL_COLOR_ATTACHMENT0, GL_COLOR_ATTACHMENT1, GL_COLOR_ATTACHMENT2 };
+    static const GLenum four[4] = { GL_COLOR_ATTACHMENT0, GL_COLOR_ATTACHMENT1, GL_COLOR_ATTACHMENT2,
+                                    GL_COLOR_ATTACHMENT3 };
     const int width = o->width * o->samples, height = o->height * o->samples;
     int i, levels = 1;
 
@@ -231,8 +128,9 @@ static void targets(const settings *o)
     }
     glNamedFramebufferTexture(canvas[PLACES], GL_COLOR_ATTACHMENT1, target[NORMALS], 0);
     glNamedFramebufferTexture(canvas[PLACES], GL_COLOR_ATTACHMENT2, target[EMITTED], 0);
+    glNamedFramebufferTexture(canvas[PLACES], GL_COLOR_ATTACHMENT3, target[INSIDE], 0);
     glNamedFramebufferRenderbuffer(canvas[PLACES], GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, depth);
-    glNamedFramebufferDrawBuffers(canvas[PLACES], 3, three);
+    glNamedFramebufferDrawBuffers(canvas[PLACES], 4, four);
     target_width = o->width;
     target_height = o->height;
     target_samples = o->samples;
@@ -260,7 +158,7 @@ static void see(GLuint p, const settings *o, const camera *c)
 static void grid(GLuint p, const settings *o, const stage *s)
 {
     const vec3 d = sub(s->high, s->low);
-    glUniform3i(at(p, "count"), o->nodes[0], o->nodes[1], o->nodes[2]);
+    set3i(p, "count", o->nodes[0], o->nodes[1], o->nodes[2]);
     set3(p, "origin", s->low);
     set3(p, "cell", vec(d.x / (float)(o->nodes[0] - 1), d.y / (float)(o->nodes[1] - 1),
                         d.z / (float)(o->nodes[2] - 1)));
@@ -306,26 +204,28 @@ double passes_ms(int pass)
 
 const char *passes_clock(void) { return software ? "wall clock" : "GPU timer"; }
 
+static void add_lights(const settings *o, const stage *s, int form, int first, int last)
+{
+    const GLuint p = program_use(FILES(sh_glsl, polygon_glsl, grid_comp), NULL,
+                                 "#define SH_BANDS %d\n#define FORM %d\n#define TRIANGLES %d\n", o->bands, form,
+                                 form != EXACT && o->kind == TRIANGLE_LIGHTS);
+    set1(p, "first", first);
+    set1(p, "last", last);
+    set1(p, "add", first > 0);
+    grid(p, o, s);
+    glDispatchCompute((GLuint)(o->nodes[0] * o->nodes[1] * o->nodes[2]), 1, 1);
+    glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_TEXTURE_FETCH_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT);
+}
+
 void pass_grid(const settings *o, const stage *s)
 {
-    const int nodes = o->nodes[0] * o->nodes[1] * o->nodes[2], n = o->bands;
-    const int form = o->kind == POLYGON_LIGHTS ? LOBES : o->form;
-    const int rows = form == FORWARD ? 1 : form == MOMENTS ? 2 * n + 1 : form == LOBES ? axes(n) : 2 * n - 1;
-    const size_t bytes = (size_t)nodes * (size_t)(n * n) * 12 * sizeof(float);
-    GLuint p;
+    const size_t terms = 12 * (size_t)(o->bands * o->bands);
+    const size_t bytes = (size_t)(o->nodes[0] * o->nodes[1] * o->nodes[2]) * terms * sizeof(float);
 
     if (bytes != held_nodes) store(NODES, held_nodes = bytes, NULL);
-    if (form == LOBES) send_axes(n);
-    p = use(FILES(sh_glsl, polygon_glsl, grid_comp), NULL,
-            "#define SH_BANDS %d\n#define FORM %d\n#define TRIANGLES %d\n"
-            "#define LANES %d\n#define ROWS %d\n",
-            n, form, o->kind == TRIANGLE_LIGHTS, o->lanes, rows);
-    set1(p, "lights", light_count);
-    set1(p, "add", 0);
-    grid(p, o, s);
     begin(GRID);
-    glDispatchCompute((GLuint)nodes, 1, 1);
-    glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_TEXTURE_FETCH_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT);
+    if (sphere_count > 0) add_lights(o, s, o->form, 0, sphere_count);
+    if (light_count > sphere_count) add_lights(o, s, EXACT, sphere_count, light_count);
     end();
 }
 
@@ -341,18 +241,24 @@ void pass_surfaces(const settings *o, const camera *c)
     glClearBufferfv(GL_COLOR, 0, nothing);
     glClearBufferfv(GL_COLOR, 1, black);
     glClearBufferfv(GL_COLOR, 2, black);
+    glClearBufferfv(GL_COLOR, 3, black);
     glClearBufferfi(GL_DEPTH_STENCIL, 0, 1, 0);
     glEnable(GL_DEPTH_TEST);
     glBindVertexArray(arrays);
-    p = use(FILES(surface_vert), FILES(surface_frag), "#define LIGHTS 0\n");
+    p = program_use(FILES(surface_vert), FILES(surface_frag), "#define LIGHTS 0\n");
     see(p, o, c);
     set2(p, "turn", cosf(o->turn), sinf(o->turn));
+    set1(p, "drawn", 0);
     glDrawArrays(GL_TRIANGLES, 0, turning_count);
     set2(p, "turn", 1, 0);
+    set1(p, "drawn", turning_count / 3);
     glDrawArrays(GL_TRIANGLES, turning_count, vertex_count - turning_count);
-    p = use(FILES(surface_vert), FILES(surface_frag), "#define LIGHTS 1\n");
+    p = program_use(FILES(surface_vert), FILES(surface_frag), "#define LIGHTS 1\n");
     see(p, o, c);
-    glDrawArraysInstanced(GL_TRIANGLES, 0, o->kind == SPHERE_LIGHTS ? 12 * 8 * 6 : 3, light_count);
+    set1(p, "first", 0);
+    glDrawArraysInstanced(GL_TRIANGLES, 0, o->kind == SPHERE_LIGHTS ? 16 * 10 * 6 : 3, sphere_count);
+    set1(p, "first", sphere_count);
+    glDrawArraysInstanced(GL_TRIANGLES, 0, 3, light_count - sphere_count);
     glGenerateTextureMipmap(target[EMITTED]);
     end();
 }
@@ -364,7 +270,7 @@ void pass_occlusion(const settings *o, const camera *c)
 
     begin(OCCLUSION);
     for (blur = 0; blur < 2 && o->occlusion; blur++) {
-        see(use(FILES(whole_vert), FILES(occlusion_frag), "#define BLUR %d\n", blur), o, c);
+        see(program_use(FILES(whole_vert), FILES(occlusion_frag), "#define BLUR %d\n", blur), o, c);
         glBindTextureUnit(0, target[PLACES]);
         glBindTextureUnit(1, target[NORMALS]);
         glBindTextureUnit(2, target[OPEN_RAW]);
@@ -375,34 +281,37 @@ void pass_occlusion(const settings *o, const camera *c)
 
 void pass_shading(const settings *o, const stage *s, const camera *c, int as_reference)
 {
-    const int pixel = o->scheme == PER_POINT, polygons = pixel && o->kind == POLYGON_LIGHTS;
-    const GLuint p = use(FILES(whole_vert), FILES(sh_glsl, polygon_glsl, shade_frag),
-                         "#define SH_BANDS %d\n#define LIGHT_BANDS %d\n#define PER_PIXEL %d\n"
-                         "#define POLYGONS %d\n#define AXES %d\n",
-                         o->lobe_bands, o->bands, pixel, polygons, polygons ? axes(o->bands) : 0);
-    if (polygons) send_axes(o->bands);
+    const GLuint p = program_use(FILES(whole_vert), FILES(sh_glsl, polygon_glsl, shade_frag),
+                                 "#define SH_BANDS %d\n#define LIGHT_BANDS %d\n#define PER_PIXEL %d\n",
+                                 o->lobe_bands, o->bands, o->scheme == PER_POINT);
     begin(SHADING);
+    set1(p, "spheres", sphere_count);
     set1(p, "light_count", light_count);
     set1(p, "scheme", o->scheme);
     set1(p, "terms", o->bands * o->bands);
     set1(p, "occluded", o->occlusion);
+    set1(p, "shadowed", o->shadows && s->hides > 0);
+    set1(p, "turning", turning_count / 3);
+    set2(p, "turn", cosf(o->turn), sinf(o->turn));
+    set3i(p, "tiles", s->columns, s->rows, s->floor);
     set3(p, "eye", c->eye);
     grid(p, o, s);
     glBindTextureUnit(0, target[PLACES]);
     glBindTextureUnit(1, target[NORMALS]);
-    glBindTextureUnit(2, target[OPEN]);
-    glBindTextureUnit(3, texels[LIGHTS]);
-    glBindTextureUnit(4, texels[NODES]);
+    glBindTextureUnit(2, target[INSIDE]);
+    glBindTextureUnit(3, target[OPEN]);
+    glBindTextureUnit(4, texels[LIGHTS]);
+    glBindTextureUnit(5, texels[NODES]);
     whole(as_reference ? REFERENCE : SHADED, o->width * o->samples, o->height * o->samples);
     end();
 }
 
 void pass_picture(const settings *o, float exposure)
 {
-    const GLuint p = use(FILES(whole_vert), FILES(final_frag), "#define SAMPLES %d\n", o->samples);
+    const GLuint p = program_use(FILES(whole_vert), FILES(final_frag), "#define SAMPLES %d\n", o->samples);
     begin(PICTURE);
-    glUniform1f(at(p, "exposure"), exposure);
-    glUniform1f(at(p, "scale"), o->error_scale);
+    set1f(p, "exposure", exposure);
+    set1f(p, "scale", o->error_scale);
     glBindTextureUnit(0, target[SHADED]);
     glBindTextureUnit(1, target[EMITTED]);
     glBindTextureUnit(2, target[REFERENCE]);
@@ -435,7 +344,7 @@ float *passes_image(const settings *o, int which)
     return image(from, o->width * samples, o->height * samples);
 }
 
-/* The exposure that brings the geometric mean of the surfaces' luminance to a darker middle grey. */
+/* The exposure that brings the mean luminance of the surfaces to relight's middle grey. */
 float passes_exposure(const settings *o)
 {
     float *rgba = passes_image(o, SHADING);
@@ -444,13 +353,12 @@ float passes_exposure(const settings *o)
     size_t i;
 
     for (i = 0; i < pixels; i++) {
-        const float *c = rgba + 4 * i, y = 0.2126f * c[0] + 0.7152f * c[1] + 0.0722f * c[2];
-        if (!(y > 0) || !(c[3] > 0)) continue;
-        sum += (double)logf(y);
-        count++;
+        const float *c = rgba + 4 * i;
+        sum += (double)(0.2126f * c[0] + 0.7152f * c[1] + 0.0722f * c[2]);
+        count += (double)c[3];
     }
     free(rgba);
-    return count > 0 ? 0.12f / expf((float)(sum / count)) : 1;
+    return sum > 0 ? (float)(0.13 * count / sum) : 1;
 }
 
 unsigned char *passes_picture(const settings *o)
@@ -475,41 +383,9 @@ void passes_show(const settings *o, int width, int height)
                            GL_COLOR_BUFFER_BIT, GL_NEAREST);
 }
 
-static void letters_or_panel(const float *corner, int corners)
+void passes_onto_picture(const settings *o)
 {
-    glNamedBufferData(letters, (GLsizeiptr)(2 * (size_t)corners * sizeof(float)), corner, GL_STREAM_DRAW);
-    glDrawArrays(GL_TRIANGLES, 0, corners);
-}
-
-void passes_text(const settings *o, float x, float y, float zoom, const char *text)
-{
-    static struct { float x, y, z; unsigned char colour[4]; } quad[4096][4];
-    static float corner[4096 * 12];
-    char *const t = (char *)(size_t)text;
-    const float r = (float)stb_easy_font_width(t) + 4, b = (float)stb_easy_font_height(t) + 2;
-    const float panel[12] = { -4, -4, r, -4, r, b, -4, -4, r, b, -4, b };
-    const int quads = stb_easy_font_print(0, 0, t, NULL, quad, sizeof quad);
-    const GLuint p = use(FILES(text_vert), FILES(text_frag), "\n");
-    int i, k;
-
-    for (i = 0; i < quads; i++)
-        for (k = 0; k < 6; k++) {
-            static const int of[6] = { 0, 1, 2, 0, 2, 3 };
-            corner[12 * i + 2 * k] = quad[i][of[k]].x;
-            corner[12 * i + 2 * k + 1] = quad[i][of[k]].y;
-        }
     glBindFramebuffer(GL_FRAMEBUFFER, canvas[SHOWN]);
     glViewport(0, 0, o->width, o->height);
     glDisable(GL_DEPTH_TEST);
-    glEnable(GL_BLEND);
-    glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
-    glBindVertexArray(letter_array);
-    set2(p, "size", (float)o->width, (float)o->height);
-    set2(p, "at", x, y);
-    glUniform1f(at(p, "zoom"), zoom);
-    glUniform4f(at(p, "ink"), 0.02f, 0.02f, 0.03f, 0.6f);
-    letters_or_panel(panel, 6);
-    glUniform4f(at(p, "ink"), 1, 1, 1, 1);
-    letters_or_panel(corner, 6 * quads);
-    glDisable(GL_BLEND);
 }

@@ -1,9 +1,18 @@
-/* polygon.glsl - the light of a triangle about an axis: S_l = integral of P_l(axis . w) over its directions,
- * and the gradient of S_l by the shading point. After sh.glsl; a, b, c are the corners less that point.
+/* polygon.glsl - the exact light of a triangle, and its gradient by the shading point. After sh.glsl.
  *
- * Wang and Ramamoorthi 2018 (WR18), in a form that keeps its accuracy: no cross product of unit vectors, -c^2
- * in place of a^2 + b^2 - 1, bands l >= 1 without the solid angle. The gradient is carried along the boundary.
- * Both lose accuracy as (distance/size)^2: triangles that look small are integrated by 7 or 64 points instead. */
+ * The light is a sum over nodes, eight at a time so that eight threads can share it. A triangle that looks
+ * small is integrated over its surface by 7, 28 or 112 points (Radon's rule of degree 5). Any other is integrated
+ * along its edges by the divergence theorem on the sphere: with mu the edge's normal and u on its arc,
+ *
+ *     L_lm = sum over edges of the integral of  mu . grad Y_lm(u) / (l(l+1)) dt      l > 0; L_00 = angle Y_00
+ *     gradient of L_lm = the same of  mu Y_lm(u) / distance dt
+ *
+ * Unlike the recurrences of Wang and Ramamoorthi 2018 this loses one power of distance/size, not two.
+ *
+ *     sh_triangle       coefficients and gradients, positive from either side
+ *     sh_triangle_of    a triangle as it is seen from a point,
+ *     sh_triangle_node  and its nodes: for shaders that share them out or keep sums of their own
+ */
 
 /* BEGIN gen_glsl.py: gauss */
 /* Gauss-Legendre, 8 points on [0, 1] */
@@ -36,86 +45,125 @@ float sh_atan(float y, float x)
     return y < 0.0 ? -t : t;
 }
 
-/* One edge A to B. */
-void sh_edge_zonal(vec3 from, vec3 to, vec3 axis, inout float s[SH_BANDS], inout vec3 grad[SH_BANDS])
-{
-    vec3 edge = to - from, normal = cross(from, edge);
-    float area = length(normal), near = length(from), both = near * length(to);
-    if (area == 0.0) return;
-    vec3 mu = normal / area, w = from / near;
-    float cosine = dot(from, to) / both, sine = area / both, gamma = sh_atan(area, dot(from, to));
-    float a = dot(w, axis), b = dot(cross(mu, w), axis), c = dot(mu, axis);
-    float z0 = a, z1 = a * cosine + b * sine, d0 = b, d1 = b * cosine - a * sine;
-    float k0 = 1.0 / near, k1 = -dot(edge, w) / area, k = k0 * a + k1 * b;
-    float K0 = -k1, K1 = k0 * sine - k1 * cosine;
+/* L_lm += k Y + (along . grad Y) / (l(l+1));  its gradient += flux Y - slope (grad Y along the sphere) */
+struct sh_node { vec3 u, along, flux; float k, slope; };
 
-    float p0 = 1.0, p1 = 1.0, p0_ = 0.0, p1_ = 0.0;             /* P_l(z0), P_l(z1); a trailing _: of l-1 */
-    float B = gamma, B_ = 0.0, D = 0.0, D_ = 0.0, G = K1 - K0, G_ = 0.0, H = 0.0, H_ = 0.0;
-    grad[0] += mu * G;
-    for (int l = 1; l < SH_BANDS; l++) {
-        float f = float(l), g = 2.0 * f - 1.0;
-        float B2 = (g * (d0 * p0 - d1 * p1 - c * c * D) + (f - 1.0) * (f - 1.0) * B_) / (f * f);
-        float D2 = D_ + g * B, H2 = H_ + g * G;
-        float q0 = (g * z0 * p0 - (f - 1.0) * p0_) / f, q1 = (g * z1 * p1 - (f - 1.0) * p1_) / f;
-        float G2 = (q1 * K1 - q0 * K0 + k * D2 - H) / (f + 1.0);
-        s[l] += c * D2 / (f * (f + 1.0));
-        grad[l] += mu * G2;
-        B_ = B; B = B2; D_ = D; D = D2; G_ = G; G = G2; H_ = H; H = H2;
-        p0_ = p0; p0 = q0; p1_ = p1; p1 = q1;
-    }
+/* Seen from a point, with the front side there. angle: what L_00 has beyond its nodes. panels: per edge, or 0. */
+struct sh_seen { vec3 corner[3], area2; float angle; int octets, panels; };
+
+float sh_cosine(vec3 a, vec3 b)
+{
+    return dot(a, b) * inversesqrt(dot(a, a) * dot(b, b));
 }
 
-/* One point of a rule for small triangles; area2 = (b-a) x (c-a). */
-void sh_point_zonal(float weight, vec3 p, vec3 area2, vec3 axis,
-                    inout float s[SH_BANDS], inout vec3 grad[SH_BANDS])
+/* bands: for how many the nodes are to do. */
+sh_seen sh_triangle_of(int bands, vec3 point, vec3 a, vec3 b, vec3 c)
 {
-    float r = inversesqrt(dot(p, p)), t = dot(p, axis) * r, facing = dot(p, area2) * r;
-    float w = weight * r * r, k = w * facing;
-    vec3 u = p * r, across = (axis - u * t) * (k * r), along = (w * r) * (area2 - 3.0 * facing * u);
-    float q = 1.0, q_ = 0.0, dq = 0.0;                          /* P_l(t), P_{l-1}, P'_l */
-    for (int l = 0; l < SH_BANDS; l++) {
-        s[l] += k * q;
-        grad[l] -= dq * across + q * along;
-        float next = (float(2 * l + 1) * t * q - float(l) * q_) / float(l + 1);
-        dq = float(l + 1) * q + t * dq;
-        q_ = q;
-        q = next;
+    sh_seen t;
+    vec3 area2 = cross(b - a, c - a), p = a - point, q = b - point, r = c - point;
+    float size = max(length(b - a), max(length(c - b), length(a - c)));
+    float looks = float(bands) * size / length((p + q + r) / 3.0);
+    bool front = dot(p, area2) >= 0.0;
+    t.area2 = front ? area2 : -area2;
+    t.corner = vec3[3](p, front ? q : r, front ? r : q);
+    t.angle = 0.0;
+    t.panels = 0;
+    t.octets = looks < 0.7 ? 1 : looks < 1.4 ? 4 : 16;
+    if (looks > 2.8) {                                          /* an arc of 0.75 takes 8 nodes at 9 bands */
+        float x = length(p), y = length(q), z = length(r);
+        float wide = min(sh_cosine(p, q), min(sh_cosine(q, r), sh_cosine(r, p)));
+        t.panels = wide > 0.7317 ? 1 : wide > 0.0707 ? 2 : 4;
+        t.octets = 3 * t.panels;
+        t.angle = 2.0 * sh_atan(abs(dot(p, area2)),             /* van Oosterom and Strackee 1983 */
+                                x * y * z + dot(p, q) * z + dot(q, r) * x + dot(r, p) * y);
     }
+    return t;
 }
 
-/* Positive from either side. */
-void sh_triangle_zonal(vec3 a, vec3 b, vec3 c, vec3 axis, out float s[SH_BANDS], out vec3 grad[SH_BANDS])
+/* k-th point of the rule, on the whole triangle or on one of 4 or of 16. */
+sh_node sh_surface_node(sh_seen t, int part, int k)
 {
-    vec3 area2 = cross(b - a, c - a), middle = (a + b + c) / 3.0;
-    float det = dot(a, area2), size = max(length(b - a), max(length(c - b), length(a - c)));
-    for (int l = 0; l < SH_BANDS; l++) {
-        s[l] = 0.0;
-        grad[l] = vec3(0.0);
+    vec3 middle = (t.corner[0] + t.corner[1] + t.corner[2]) / 3.0, p = middle;
+    float weight = k == 0 ? 0.1125 : k < 4 ? 0.0661970764 : k < 7 ? 0.0629695903 : 0.0;  /* (155 +- sqrt 15)/2400 */
+    if (k > 0) p = mix(t.corner[k % 3], middle, k < 4 ? 1.41042619 : 0.303859522);      /* (6 +- sqrt 15)/7 */
+    for (int pieces = t.octets; pieces > 1; pieces >>= 2) {     /* one at each corner, one in the middle */
+        p = (part & 3) < 3 ? 0.5 * (t.corner[part & 3] + p) : 0.5 * (3.0 * middle - p);
+        weight *= 0.25;
+        part >>= 2;
     }
-    if (float(SH_BANDS) * size < 0.7 * length(middle)) {        /* Radon's rule of degree 5 */
-        const float near = 0.470142064, wide = 0.101286507;     /* (6 +- sqrt 15)/21 */
-        const float near_weight = 0.0661970764, wide_weight = 0.0629695903;     /* (155 +- sqrt 15)/2400 */
-        sh_point_zonal(0.1125, middle, area2, axis, s, grad);
-        for (int k = 0; k < 3; k++) {
-            vec3 corner = k == 0 ? a : k == 1 ? b : c;
-            sh_point_zonal(near_weight, corner + 3.0 * near * (middle - corner), area2, axis, s, grad);
-            sh_point_zonal(wide_weight, corner + 3.0 * wide * (middle - corner), area2, axis, s, grad);
+    float r = inversesqrt(dot(p, p)), facing = dot(p, t.area2) * r, w = weight * r * r, k0 = w * facing;
+    vec3 u = p * r;
+    return sh_node(u, vec3(0.0), -(w * r) * (t.area2 - 3.0 * facing * u), k0, k0 * r);
+}
+
+/* k-th node of a panel of an edge, on the chord between directions: no angle is computed that the ends of two edges
+ * could disagree about, and what is linear along the edge, 1/distance, is so on the chord, before u is normalised. */
+sh_node sh_edge_node(sh_seen t, int edge, int panel, int k)
+{
+    vec3 a = t.corner[edge], b = t.corner[(edge + 1) % 3];
+    float near_a = inversesqrt(dot(a, a)), near_b = inversesqrt(dot(b, b)), g = SH_GAUSS_AT[k];
+    a *= near_a;
+    b *= near_b;
+    for (int halves = t.panels; halves > 1; halves >>= 1) {
+        vec3 middle = a + b;
+        float r = inversesqrt(dot(middle, middle)), near = (near_a + near_b) * r;
+        if ((panel & 1) != 0) {
+            a = middle * r;
+            near_a = near;
+        } else {
+            b = middle * r;
+            near_b = near;
         }
-    } else if (size < 0.5 * length(middle)) {                   /* Gauss in u and v at a + u (b-a) + uv (c-b) */
-        for (int k = 0; k < 64; k++) {
-            float u = SH_GAUSS_AT[k >> 3], v = SH_GAUSS_AT[k & 7];
-            sh_point_zonal(u * SH_GAUSS[k >> 3] * SH_GAUSS[k & 7], a + u * ((b - a) + v * (c - b)), area2, axis, s, grad);
-        }
-    } else {
-        float x = length(a), y = length(b), z = length(c);      /* van Oosterom and Strackee 1983 */
-        s[0] = 2.0 * sh_atan(det, x * y * z + dot(a, b) * z + dot(b, c) * x + dot(c, a) * y);
-        sh_edge_zonal(a, b, axis, s, grad);
-        sh_edge_zonal(b, c, axis, s, grad);
-        sh_edge_zonal(c, a, axis, s, grad);
+        panel >>= 1;
     }
-    if (det < 0.0)
-        for (int l = 0; l < SH_BANDS; l++) {
-            s[l] = -s[l];
-            grad[l] = -grad[l];
+    vec3 p = a + g * (b - a);
+    float r = inversesqrt(dot(p, p));
+    vec3 along = cross(a, b - a) * (SH_GAUSS[k] * r * r);       /* mu dt */
+    return sh_node(p * r, along, along * (mix(near_a, near_b, g) * r), 0.0, 0.0);
+}
+
+/* k-th of eight nodes of an octet. */
+sh_node sh_triangle_node(sh_seen t, int octet, int k)
+{
+    if (t.panels == 0) return sh_surface_node(t, octet, k);
+    return sh_edge_node(t, octet % 3, octet / 3, k);
+}
+
+/* What a node adds to one coefficient, value first: c, e and e1 as for sh_polynomial_grad, band l. */
+vec4 sh_node_part(sh_node p, sh_column c, int l, int m, vec2 e, vec2 e1)
+{
+    float y = c.q * e.x;
+    vec3 grad = sh_polynomial_grad(c, m, e, e1);
+    return vec4(p.k * y + dot(p.along, grad) / float(max(l * (l + 1), 1)),
+                p.flux * y - p.slope * (grad - p.u * dot(p.u, grad)));
+}
+
+void sh_triangle(vec3 point, vec3 a, vec3 b, vec3 c, out float coeffs[SH_N], out vec3 grad[SH_N])
+{
+    sh_seen t = sh_triangle_of(SH_BANDS, point, a, b, c);
+    for (int i = 0; i < SH_N; i++) {
+        coeffs[i] = i == 0 ? t.angle * SH_K[0] : 0.0;
+        grad[i] = vec3(0.0);
+    }
+    for (int k = 0; k < 8 * t.octets; k++) {
+        sh_node p = sh_triangle_node(t, k / 8, k % 8);
+        vec2 e = vec2(1.0, 0.0), e1 = vec2(0.0);
+        for (int m = 0; m < SH_BANDS; m++) {
+            sh_column column = sh_first(m);
+            for (int l = m; l < SH_BANDS; l++) {
+                int i = l * (l + 1);
+                vec4 cosine = sh_node_part(p, column, l, m, e, e1);
+                vec4 sine = sh_node_part(p, column, l, m, vec2(e.y, -e.x), vec2(e1.y, -e1.x));
+                coeffs[i + m] += cosine.x;
+                grad[i + m] += cosine.yzw;
+                if (m > 0) {
+                    coeffs[i - m] += sine.x;
+                    grad[i - m] += sine.yzw;
+                }
+                sh_climb(column, sh_step(l + 1, m), p.u.z);
+            }
+            e1 = e;
+            e = sh_times(e, p.u.xy);
         }
+    }
 }

@@ -5,8 +5,8 @@ GL_LIBS    := $(shell pkg-config --libs epoxy glfw3 2>/dev/null)
 GL_EPOXY   := $(shell pkg-config --libs epoxy 2>/dev/null)
 GL_SHADERS := $(addprefix $(GL_DIR)/,sh.glsl polygon.glsl grid.comp surface.vert surface.frag occlusion.frag shade.frag \
                 final.frag whole.vert text.vert text.frag)
-GL_ROOMS   := context passes stage check
-GL_OBJECTS := $(GL_ROOMS:%=$(BUILD)/gl/%.o) $(BUILD)/gl/relight-mesh.o $(BUILD)/gl/relight-scene.o
+GL_ROOMS   := context stage programs passes letters check
+GL_OBJECTS := $(patsubst %,$(BUILD)/gl/%.o,$(GL_ROOMS) relight-mesh relight-scene relight-trace)
 GL_HEADERS := $(GL_DIR)/gl.h examples/relight/relight.h $(BUILD)/gl/gl_shaders.h
 
 .PHONY: gl-demo gl-bench gl-bench-quick test-gl check-glsl
@@ -30,12 +30,12 @@ $(BUILD)/gl/%.o: $(GL_DIR)/%.c $(GL_HEADERS) $(wildcard $(HEADERS)) | $(BUILD)/g
 	$(CC) $(CFLAGS) $(WARN) $(CPPFLAGS) -I$(BUILD)/gl -c $< -o $@
 $(BUILD)/gl/relight-%.o: examples/relight/%.c examples/relight/relight.h $(wildcard $(HEADERS)) | $(BUILD)/gl
 	$(CC) $(CFLAGS) $(WARN) $(CPPFLAGS) $(RELIGHT_OMP) -c $< -o $@
-$(BUILD)/gl-demo: $(BUILD)/gl/demo.o $(GL_OBJECTS)
-	$(CC) $(CFLAGS) $^ $(LDFLAGS) $(GL_LIBS) -lm -o $@
+$(BUILD)/gl-demo: $(BUILD)/gl/demo.o $(BUILD)/gl/window.o $(GL_OBJECTS)
+	$(CC) $(CFLAGS) $(RELIGHT_OMP) $^ $(LDFLAGS) $(GL_LIBS) -lm -o $@
 $(BUILD)/gl-bench: $(BUILD)/gl/bench.o $(GL_OBJECTS)
-	$(CC) $(CFLAGS) $^ $(LDFLAGS) $(GL_EPOXY) -lm -o $@
+	$(CC) $(CFLAGS) $(RELIGHT_OMP) $^ $(LDFLAGS) $(GL_EPOXY) -lm -o $@
 
-$(BUILD)/test-gl: $(BUILD)/gl/test_gl.o $(GL_OBJECTS) $(BUILD)/gl/relight-trace.o $(BUILD)/gl/relight-shade.o
+$(BUILD)/test-gl: $(BUILD)/gl/test_gl.o $(GL_OBJECTS) $(BUILD)/gl/relight-shade.o
 	$(CC) $(CFLAGS) $(RELIGHT_OMP) $^ $(LDFLAGS) $(GL_EPOXY) -lm -o $@
 
 test-gl: $(BUILD)/gl-demo $(BUILD)/test-gl

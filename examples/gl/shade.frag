@@ -1,28 +1,63 @@
 /* shade.frag - pass 2: the light at a pixel's place, by the grid or by all lights anew, and what leaves there.
  *
  * The light is an SH vector of LIGHT_BANDS bands per channel. It leaves by two dot products with transfer
- * vectors: the clamped cosine about the normal, and the GGX lobe about the mirror direction, of SH_BANDS bands,
- * cut by the clamped cosine (MP21, Eq. 11: multiplying the lobe instead of the light is the same, once instead
- * of per channel) and divided by what the cut leaves of it, so that all of a white room comes back. */
+ * vectors: the clamped cosine about the normal, less what the mesh hides of it; and the GGX lobe about the mirror
+ * direction, of SH_BANDS bands, cut by the clamped cosine (MP21, Eq. 11: multiplying the lobe instead of the light
+ * is the same, once instead of per channel) and divided by what the cut leaves of it, so that all of a white room
+ * comes back. */
 #define LIGHT_N (LIGHT_BANDS * LIGHT_BANDS)
+#define HIDDEN_N 81                                                     /* what the shadows are stored with */
 
 struct Material { vec3 albedo; float f0, f90, lobe[9]; };
 
 layout(std430, binding = 2) readonly buffer Materials { Material materials[]; };
-layout(std430, binding = 3) readonly buffer Axes { vec4 axis[17]; float axis_weight[]; };   /* as in grid.comp */
+layout(std430, binding = 3) readonly buffer Hidden { float hidden[]; };        /* [mesh vertex][HIDDEN_N] */
+layout(std430, binding = 4) readonly buffer Corners { int corners[]; };        /* [triangle][3]: mesh vertices */
 layout(binding = 0) uniform sampler2D places;
 layout(binding = 1) uniform sampler2D normals;
-layout(binding = 2) uniform sampler2D occlusion;
-layout(binding = 3) uniform samplerBuffer lights;                       /* [light][6]: struct Light of grid.comp */
-layout(binding = 4) uniform samplerBuffer nodes;                        /* [node][coefficient][channel] */
-uniform int light_count, scheme, terms;                                 /* terms = LIGHT_N, a loop not to unroll */
+layout(binding = 2) uniform sampler2D inside;                           /* of the triangle: u, v, and which */
+layout(binding = 3) uniform sampler2D occlusion;
+layout(binding = 4) uniform samplerBuffer lights;                       /* [light][6]: struct Light of grid.comp */
+layout(binding = 5) uniform samplerBuffer nodes;                        /* [node][coefficient][channel] */
+uniform int spheres, light_count, scheme, terms;                        /* terms = LIGHT_N, a loop not to unroll */
 uniform ivec3 count;
 uniform vec3 origin, cell, eye;
-uniform bool occluded;
+uniform bool occluded, shadowed;
+uniform vec2 turn;                                                      /* (cos, sin) of the mesh about z */
+uniform int  turning;                                                   /* its triangles */
+uniform ivec3 tiles;                                                    /* the floor: columns, rows, first vertex */
 
 layout(location = 0) out vec4 radiance;
 
 float gloss[SH_N], diffuse[SH_N];                                       /* the transfer vectors */
+
+/* Ray-traced shadows of the mesh at rest, at the vertices. With the mesh turns what it hides of itself, and of the
+ * floor: there a turned shadow is the one at rest of the place turned back. The walls keep theirs. */
+void shadows(vec3 place, bool floored, vec3 at)                         /* at: u, v, triangle */
+{
+    ivec3 corner;
+    vec3 share = vec3(1.0 - at.x - at.y, at.xy);
+    int first = 3 * int(at.z);
+    bool moved = turn.y != 0.0 && (floored || int(at.z) < turning);
+    if (floored) {                                                      /* its tiles are cut from corner to corner */
+        vec2 p = sh_times(vec2(turn.x, -turn.y), place.xy) - origin.xy;
+        p = clamp(p / (cell.xy * vec2(count.xy - 1)) * vec2(tiles.xy), vec2(0.0), vec2(tiles.xy));
+        ivec2 tile = min(ivec2(p), tiles.xy - 1);
+        vec2 f = p - vec2(tile);
+        int row = tiles.x + 1, a = tiles.z + tile.y * row + tile.x;
+        corner = ivec3(a, f.x > f.y ? a + 1 : a + row, a + row + 1);
+        share = vec3(1.0 - max(f.x, f.y), abs(f.x - f.y), min(f.x, f.y));
+    } else
+        corner = ivec3(corners[first], corners[first + 1], corners[first + 2]);
+    float h[SH_N], whole = diffuse[0];
+    for (int i = 0; i < SH_N; i++)
+        h[i] = i >= LIGHT_N ? 0.0 : share.x * hidden[HIDDEN_N * corner.x + i]
+             + share.y * hidden[HIDDEN_N * corner.y + i] + share.z * hidden[HIDDEN_N * corner.z + i];
+    if (moved) sh_rotate_z(turn, h);
+    for (int i = 0; i < LIGHT_N; i++) diffuse[i] -= h[i];
+    float open = max(diffuse[0] / whole, 0.0);                          /* the part of the cosine that sees the room */
+    for (int i = 0; i < LIGHT_N; i++) gloss[i] *= open;
+}
 
 void transfers(vec3 normal, vec3 mirror, const in float lobe[9])
 {
@@ -36,65 +71,73 @@ void transfers(vec3 normal, vec3 mirror, const in float lobe[9])
         for (int i = l * l; i < (l + 1) * (l + 1); i++) diffuse[i] *= sh_diffuse_zonal(l);
 }
 
-#if PER_PIXEL && POLYGONS
-/* Exact triangles: the zonal sum about the normal gives the irradiance, those about the fixed axes the rest. */
-void gather(vec3 point, vec3 normal, out vec3 d, out vec3 g)
+#if PER_PIXEL
+/* What of a sphere leaves, diffuse and glossy: sum of g_l Y_lm(u) times the transfers; no coefficient is kept. */
+vec2 of_sphere(vec3 v, float radius)
 {
-    float s[SH_BANDS], along[AXES * LIGHT_BANDS];                       /* along: the lobe's transfer */
-    vec3 unused[SH_BANDS];
-    for (int j = 0; j < AXES; j++)
-        for (int l = 0; l < LIGHT_BANDS; l++) {
-            float sum = 0.0;
-            for (int i = l * l; i < (l + 1) * (l + 1); i++) sum += gloss[i] * axis_weight[i * AXES + j];
-            along[j * LIGHT_BANDS + l] = sum;
+    float weight[SH_BANDS], slope[SH_BANDS], distance = length(v);
+    vec3 u = v / max(distance, 1e-30);
+    vec2 e = vec2(1.0, 0.0), t = vec2(0.0);
+    sh_sphere_weights(distance, radius, weight, slope);
+    for (int m = 0; m < LIGHT_BANDS; m++) {
+        sh_column c = sh_first(m);
+        for (int l = m; l < LIGHT_BANDS; l++) {
+            int k = l * (l + 1);
+            float q = weight[l] * c.q;
+            t += q * e.x * vec2(diffuse[k + m], gloss[k + m]);
+            if (m > 0) t += q * e.y * vec2(diffuse[k - m], gloss[k - m]);
+            sh_climb(c, sh_step(l + 1, m), u.z);
         }
-    d = vec3(0.0);
-    g = vec3(0.0);
-    for (int i = 0; i < light_count; i++) {
-        vec3 a = texelFetch(lights, 6 * i + 3).xyz - point, b = texelFetch(lights, 6 * i + 4).xyz - point;
-        vec3 c = texelFetch(lights, 6 * i + 5).xyz - point, rgb = texelFetch(lights, 6 * i + 1).rgb;
-        for (int j = -1; j < AXES; j++) {
-            float t = 0.0;
-            sh_triangle_zonal(a, b, c, j < 0 ? normal : axis[j].xyz, s, unused);
-            for (int l = 0; l < LIGHT_BANDS; l++)
-                t += s[l] * (j < 0 ? sh_diffuse_zonal(l) * float(2 * l + 1) / (4.0 * SH_PI)
-                                   : along[j * LIGHT_BANDS + l]);
-            if (j < 0) d += t * rgb;
-            else g += t * rgb;
-        }
+        e = sh_times(e, u.xy);
     }
+    return t;
 }
-#elif PER_PIXEL
-/* sum over lights of sum g_l t_lm Y_lm(u): no coefficient is kept */
-void gather(vec3 point, vec3 normal, out vec3 d, out vec3 g)
+
+/* The same of a triangle, exactly: along . grad Y is c.q times one and c.d times the other pair of numbers. */
+vec2 of_triangle(sh_seen seen)
 {
-    d = vec3(0.0);
-    g = vec3(0.0);
-    for (int i = 0; i < light_count; i++) {
-        vec4 sphere = texelFetch(lights, 6 * i), triangle = texelFetch(lights, 6 * i + 2);
-        float weight[SH_BANDS], slope[SH_BANDS], distance = length(sphere.xyz - point);
-        vec3 u = (sphere.xyz - point) / max(distance, 1e-30), rgb = texelFetch(lights, 6 * i + 1).rgb;
-        vec2 e = vec2(1.0, 0.0), t = vec2(0.0);
-        sh_sphere_weights(distance, sphere.w, weight, slope);
+    vec2 t = seen.angle * SH_K[0] * vec2(diffuse[0], gloss[0]);
+    for (int k = 0; k < 8 * seen.octets; k++) {
+        sh_node p = sh_triangle_node(seen, k >> 3, k & 7);
+        vec2 e = vec2(1.0, 0.0), e1 = vec2(0.0);
         for (int m = 0; m < LIGHT_BANDS; m++) {
             sh_column c = sh_first(m);
+            vec2 across = float(m) * sh_times(p.along.xy, e1), up = p.along.z * e;
             for (int l = m; l < LIGHT_BANDS; l++) {
-                int k = l * (l + 1);
-                float q = weight[l] * c.q;
-                t += q * e.x * vec2(diffuse[k + m], gloss[k + m]);
-                if (m > 0) t += q * e.y * vec2(diffuse[k - m], gloss[k - m]);
-                sh_climb(c, sh_step(l + 1, m), u.z);
+                int i = l * (l + 1);
+                vec2 y = p.k * c.q * e + (c.q * across + c.d * up) / float(max(i, 1));
+                t += y.x * vec2(diffuse[i + m], gloss[i + m]);
+                if (m > 0) t += y.y * vec2(diffuse[i - m], gloss[i - m]);
+                sh_climb(c, sh_step(l + 1, m), p.u.z);
             }
-            e = sh_times(e, u.xy);
+            e1 = e;
+            e = sh_times(e, p.u.xy);
         }
-        if (triangle.w > 0.0) t *= abs(dot(triangle.xyz, u));           /* a triangle as a sphere */
+    }
+    return t;
+}
+
+void gather(vec3 point, out vec3 d, out vec3 g)
+{
+    d = vec3(0.0);
+    g = vec3(0.0);
+    for (int i = 0; i < light_count; i++) {
+        vec3 rgb = texelFetch(lights, 6 * i + 1).rgb;
+        vec2 t;
+        if (i < spheres) {
+            vec4 sphere = texelFetch(lights, 6 * i), triangle = texelFetch(lights, 6 * i + 2);
+            t = of_sphere(sphere.xyz - point, sphere.w);
+            if (triangle.w > 0.0) t *= abs(dot(triangle.xyz, normalize(sphere.xyz - point)));   /* one for the other */
+        } else
+            t = of_triangle(sh_triangle_of(LIGHT_BANDS, point, texelFetch(lights, 6 * i + 3).xyz,
+                                           texelFetch(lights, 6 * i + 4).xyz, texelFetch(lights, 6 * i + 5).xyz));
         d += rgb * t.x;
         g += rgb * t.y;
     }
 }
 #else
 /* Every scheme is a sum over the cell's corners: eight weights, then one dot product per corner and channel. */
-void gather(vec3 point, vec3 normal, out vec3 d, out vec3 g)
+void gather(vec3 point, out vec3 d, out vec3 g)
 {
     vec4 w[8];
     vec3 p = clamp((point - origin) / cell, vec3(0.0), vec3(count - 1));
@@ -123,7 +166,7 @@ void gather(vec3 point, vec3 normal, out vec3 d, out vec3 g)
 void main()
 {
     ivec2 pixel = ivec2(gl_FragCoord.xy);
-    vec4 place = texelFetch(places, pixel, 0);
+    vec4 place = texelFetch(places, pixel, 0);                          /* and material */
     if (place.w < 0.0) {
         radiance = vec4(0.0);
         return;
@@ -132,7 +175,8 @@ void main()
     vec3 normal = texelFetch(normals, pixel, 0).xyz, view = normalize(eye - place.xyz), d, g;
     float facing = dot(normal, view), fresnel = m.f0 + (m.f90 - m.f0) * pow(1.0 - max(facing, 0.0), 5.0);
     transfers(normal, 2.0 * facing * normal - view, m.lobe);
-    gather(place.xyz, normal, d, g);
+    if (shadowed) shadows(place.xyz, place.w == 1.0 || place.w == 2.0, texelFetch(inside, pixel, 0).xyz);
+    gather(place.xyz, d, g);
     radiance = vec4(m.albedo / SH_PI * max(d, vec3(0.0)) + fresnel * max(g, vec3(0.0)), 1.0);
     if (occluded) radiance.rgb *= texelFetch(occlusion, pixel, 0).x;
 }

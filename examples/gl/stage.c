@@ -8,7 +8,7 @@
 #include <string.h>
 #include <unistd.h>
 
-/* ---- what relight's rooms ask for ---- */
+/* ---- what relight's files ask for ---- */
 
 void die(const char *format, ...)
 {
@@ -19,6 +19,11 @@ void die(const char *format, ...)
     fprintf(stderr, "\n");
     va_end(args);
     exit(2);
+}
+
+void check(int status)
+{
+    if (status < 0) die("%s", sh_status_string(status));
 }
 
 void *need(void *old, size_t count, size_t size)
@@ -39,37 +44,6 @@ void progress(const char *what, double done)
 
 static void put(float *to, vec3 v) { to[0] = v.x; to[1] = v.y; to[2] = v.z; }
 static vec3 get(const float *v) { return vec(v[0], v[1], v[2]); }
-
-void stage_build(stage *s, int count, int quick)
-{
-    scene r;
-    int i, k;
-
-    memset(s, 0, sizeof *s);
-    memset(&r, 0, sizeof r);
-    scene_build(&r, NULL, 'y', count, quick);
-    s->low = r.low;
-    s->high = r.high;
-    s->eye = r.c;
-    s->turning = 3 * r.casters;
-    s->vertices = 3 * r.m.triangles;
-    s->vertex = need(NULL, 7 * (size_t)s->vertices, sizeof *s->vertex);
-    for (i = 0; i < r.m.triangles; i++)
-        for (k = 0; k < 3; k++) {
-            float *v = s->vertex + 7 * (3 * i + k);
-            put(v, r.m.v[r.m.t[i].v[k]].p);
-            put(v + 3, r.m.v[r.m.t[i].v[k]].n);
-            v[6] = (float)r.m.t[i].material;
-        }
-    s->count = r.l.count;
-    s->lights = need(NULL, (size_t)s->count, sizeof *s->lights);
-    for (i = 0; i < s->count; i++)
-        for (k = 0; k < 4; k++) {
-            s->lights[i].sphere[k] = r.l.sphere[k * s->count + i];
-            if (k < 3) s->lights[i].radiance[k] = r.l.radiance[k * s->count + i];
-        }
-    free(r.m.v); free(r.m.t); free(r.l.sphere); free(r.l.radiance);
-}
 
 /* M22, Eq. 24-25: the sphere at the triangle's centroid whose disc has its area; from the corners as they are rounded. */
 static void take_for_a_sphere(light *l)
@@ -92,11 +66,92 @@ static void take_for_a_sphere(light *l)
     l->sphere[3] = (float)sqrt(area2 / 6.283185307179586);
 }
 
-/* A wave runs through the lights. As a triangle it keeps its area and centre and faces the teapot. */
+/* The mesh as relight shades it: corners with normal and material, and which vertex of the mesh each is. */
+static void put_mesh(stage *s, const scene *r)
+{
+    int i, k;
+
+    s->turning = 3 * r->casters;
+    s->vertices = 3 * r->m.triangles;
+    s->vertex = need(NULL, 7 * (size_t)s->vertices, sizeof *s->vertex);
+    s->index = need(NULL, (size_t)s->vertices, sizeof *s->index);
+    for (i = 0; i < r->m.triangles; i++)
+        for (k = 0; k < 3; k++) {
+            const int at = 3 * i + k;
+            float *v = s->vertex + 7 * at;
+            s->index[at] = r->m.t[i].v[k];
+            put(v, r->m.v[s->index[at]].p);
+            put(v + 3, r->m.v[s->index[at]].n);
+            v[6] = (float)r->m.t[i].material;
+        }
+    s->floor = r->m.t[r->casters].v[0];
+    s->columns = r->m.t[r->casters].v[2] - s->floor - 2;
+    for (i = r->casters; r->m.t[i].material != WALL; i++) {}
+    s->rows = (i - r->casters) / (2 * s->columns);
+}
+
+static void put_spheres(stage *s, const lights *l)
+{
+    int i, k;
+    for (i = 0; i < l->count; i++)
+        for (k = 0; k < 4; k++) {
+            s->lights[i].sphere[k] = l->sphere[k * l->count + i];
+            if (k < 3) s->lights[i].radiance[k] = l->radiance[k * l->count + i];
+        }
+}
+
+/* The moon in the triangles that relight shows it in. */
+static void put_moon(stage *s, const scene *r)
+{
+    int i, k;
+
+    s->moon_corners = r->p.corners;
+    s->moon_corner = need(NULL, 3 * (size_t)r->p.corners, sizeof *s->moon_corner);
+    memcpy(s->moon_corner, r->p.vertex, 3 * (size_t)r->p.corners * sizeof *s->moon_corner);
+    for (i = 0; i < s->moon; i++) {
+        const int *v = r->m.t[r->m.triangles - s->moon + i].v;
+        light *l = &s->lights[s->count + i];
+        for (k = 0; k < 3; k++) {
+            put(l->corner[k], r->m.v[v[k]].p);
+            l->radiance[k] = r->p.radiance[k];
+        }
+        take_for_a_sphere(l);
+    }
+}
+
+void stage_build(stage *s, int count, int how)
+{
+    scene room, lit;
+
+    memset(s, 0, sizeof *s);
+    scene_build(&room, NULL, 'y', count, how != STAGE_FULL);
+    s->low = room.low;
+    s->high = room.high;
+    s->eye = room.c;
+    put_mesh(s, &room);
+    scene_copy(&lit, &room);
+    if (how != STAGE_BARE) {
+        s->hides = room.m.vertices;
+        s->hidden = trace_blocked(&room, MAX_BANDS, how == STAGE_FULL ? 1024 : 128);
+        scene_add_moon(&lit);
+    }
+    s->count = count;
+    s->moon = lit.m.triangles - room.m.triangles;
+    s->lights = need(NULL, (size_t)(s->count + s->moon), sizeof *s->lights);
+    put_spheres(s, &room.l);
+    put_moon(s, &lit);
+    scene_free_copy(&lit);
+    scene_free_copy(&room);
+    free(room.l.sphere); free(room.l.radiance);
+}
+
+/* A wave runs through the spheres; the moon stands. As a triangle a sphere keeps its area and centre and faces the
+ * teapot. */
 void stage_move(const stage *s, int triangles, double time, light *now)
 {
     int i, k;
 
+    memcpy(now + s->count, s->lights + s->count, (size_t)s->moon * sizeof *now);
     for (i = 0; i < s->count; i++) {
         const vec3 from = get(s->lights[i].sphere);
         const float wave = 0.9f * from.x + 0.7f * from.z, t = (float)time, swing = time > 0 ? 0.16f : 0;
@@ -104,7 +159,7 @@ void stage_move(const stage *s, int triangles, double time, light *now)
         vec3 at, n, x, y;
 
         *l = s->lights[i];
-        at = add(from, mul(vec(0.4f * sinf(1.1f * t + wave), sinf(1.7f * t + wave), sinf(1.3f * t + 0.8f * wave)), swing));
+        at = mad(from, vec(0.4f * sinf(1.1f * t + wave), sinf(1.7f * t + wave), sinf(1.3f * t + 0.8f * wave)), swing);
         put(l->sphere, at);
         if (!triangles) continue;
         n = unit(sub(vec(0, 0, 0.8f), at));
@@ -129,5 +184,8 @@ void stage_lobe(int bands, float alpha, float *lobe)
 void stage_free(stage *s)
 {
     free(s->vertex);
+    free(s->index);
+    free(s->hidden);
+    free(s->moon_corner);
     free(s->lights);
 }
