@@ -27,8 +27,8 @@ static void library_zonal(const bench_case *self)
                             &in->sides, in->vertices, NULL, in->out);
 }
 
-/* The closed form in each edge's own frame, one point per call: at full accuracy everywhere, in double inside. */
-static void edge_frame(const bench_case *self)
+/* One point per call: full accuracy everywhere, in double inside. */
+static void library_one(const bench_case *self)
 {
     const polygon_input *in = self->input;
     const size_t n2 = (size_t)(in->bands * in->bands);
@@ -37,6 +37,83 @@ static void edge_frame(const bench_case *self)
         real *out = in->out + i * n2 * (in->gradient ? 4 : 1);
         FN(sh_polygon)(in->bands, SH_BOTH, in->point + 3 * i, (size_t)in->sides, in->vertices, out,
                        in->gradient ? out + n2 : NULL);
+    }
+}
+
+/* The closed form in edge frames in the library's own lanes, with its own geometry of vertices and arcs: what separates it
+ * from `library` is closed form against Gauss nodes alone. */
+#define CAT3_(a, b, c) a##b##c
+#define CAT3(a, b, c)  CAT3_(a, b, c)
+#if SH_VECTOR_BYTES == 0
+#  define MANY(name) CAT3(FN(name), x, 1)
+#elif SH_VECTOR_BYTES * 8 / BENCH_PRECISION == 2
+#  define MANY(name) CAT3(FN(name), x, 2)
+#elif SH_VECTOR_BYTES * 8 / BENCH_PRECISION == 4
+#  define MANY(name) CAT3(FN(name), x, 4)
+#else
+#  define MANY(name) CAT3(FN(name), x, 8)
+#endif
+#define V MANY(shi_vector)
+#define V_SQRT MANY(shi_sqrt)
+#define FRAME(name) name##_lanes
+#include "polygon_frame.h"
+
+INLINE void frame_lanes(const int bands, const int gradient, const polygon_input *in)
+{
+    enum { W = MANY(shi_polygon_lanes), MOST = 4 * POLYGON_MAX_BANDS * POLYGON_MAX_BANDS };
+    const int rows = (gradient ? 4 : 1) * bands * bands;
+    size_t p;
+    for (p = 0; p < in->points; p += W) {
+        V x[3], out[MOST], omega;
+        MANY(shi_mask) bad;
+        MANY(shi_seen) first, a, b;
+        MANY(shi_arc_seen) arc;
+        int i;
+        MANY(shi_load3)(in->point + 3 * p, W, x);
+        bad = (MANY(shi_mask))(x[0] != x[0]);
+        for (i = 0; i < rows; i++) out[i] = MANY(shi_splat)(0);
+        omega = out[0];
+        MANY(shi_polygon_see)(x, in->vertices, &first);
+        a = first;
+        for (i = 0; i < in->sides; i++) {
+            const real *from = in->vertices + 3 * i, *to = i + 1 < in->sides ? from + 3 : in->vertices;
+            const real e[3] = { to[0] - from[0], to[1] - from[1], to[2] - from[2] };
+            V c, s;
+            if (i + 1 < in->sides) MANY(shi_polygon_see)(x, to, &b);
+            else b = first;
+            (void)MANY(shi_polygon_arc)(&a, &b, e, 0, 0, &arc, &bad);
+            if (i > 0 && i + 1 < in->sides) {
+                const V even = 1 + first.w[0] * a.w[0] + first.w[1] * a.w[1] + first.w[2] * a.w[2] + first.w[0] * b.w[0]
+                             + first.w[1] * b.w[1] + first.w[2] * b.w[2] + a.w[0] * b.w[0] + a.w[1] * b.w[1] + a.w[2] * b.w[2];
+                double n[3];
+                FN(shi_fan_normal)(in->vertices, from, to, n);
+                omega += 2 * MANY(shi_polygon_angle)(MANY(shi_polygon_height)(x, in->vertices, n) * first.inverse * a.inverse
+                                                     * b.inverse, even);
+            }
+            MANY(shi_polygon_turn)(arc.half, &c, &s);
+            frame_edge_lanes(bands, gradient, in->frame, arc.mid, arc.along, arc.mu, 2 * arc.half, c, s, arc.k0, arc.k1, out);
+            a = b;
+        }
+        out[0] = omega * C(0.28209479177387814);
+        MANY(shi_transpose_block)((const real *)(const void *)out, W, rows, in->out + p * (size_t)rows, (size_t)rows, W);
+    }
+}
+
+static void edge_frame_lanes(const bench_case *self)
+{
+    const polygon_input *in = self->input;
+    if (in->gradient) {
+        switch (in->bands) {
+        BANDS_CASE(3, frame_lanes(BANDS, 1, in);) BANDS_CASE(5, frame_lanes(BANDS, 1, in);)
+        BANDS_CASE(9, frame_lanes(BANDS, 1, in);) BANDS_CASE(15, frame_lanes(BANDS, 1, in);)
+        default: break;
+        }
+    } else {
+        switch (in->bands) {
+        BANDS_CASE(3, frame_lanes(BANDS, 0, in);) BANDS_CASE(5, frame_lanes(BANDS, 0, in);)
+        BANDS_CASE(9, frame_lanes(BANDS, 0, in);) BANDS_CASE(15, frame_lanes(BANDS, 0, in);)
+        default: break;
+        }
     }
 }
 
@@ -116,6 +193,47 @@ static real *make_legendre(int bands)
     return out;
 }
 
+/* X by a product rule: integrals of Y_i(R u) Y_j(u), R the rotation by 90 degrees about x. */
+static polygon_frame *make_frame(int bands)
+{
+    enum { MAX = POLYGON_MAX_BANDS, SIZE = MAX * MAX };
+    static double x[SIZE][SIZE], y[SIZE], turned[SIZE], grad[3 * SIZE];
+    const double axis[3] = { 1, 0, 0 };
+    polygon_frame *out = bench_alloc(1, sizeof *out);
+    int l, i, j, a, b, entries = 0;
+    sh_eval_grad_f64(bands, axis, y, grad);
+    for (l = 0, i = 0; l < bands; l++)
+        for (; i < (l + 1) * (l + 1); i++) {
+            out->slope[i] = C(y[i]);
+            out->value[i] = l ? C(grad[2 * bands * bands + i] / (l * (l + 1))) : 0;
+        }
+    memset(x, 0, sizeof x);
+    for (a = 0; a < 16; a++)
+        for (b = 0; b < 32; b++) {
+            double w;
+            const double z = 2 * shi_gauss_node(16, a, &w) - 1, r = sqrt(1 - z * z), p = 6.283185307179586 * b / 32;
+            const double u[3] = { r * cos(p), r * sin(p), z }, v[3] = { u[0], -u[2], u[1] };
+            w *= 2 * 6.283185307179586 / 32;
+            sh_eval_f64(bands, u, y);
+            sh_eval_f64(bands, v, turned);
+            for (l = 0, i = 0; l < bands; l++)
+                for (; i < (l + 1) * (l + 1); i++)
+                    for (j = l * l; j < (l + 1) * (l + 1); j++) x[i][j] += w * turned[i] * y[j];
+        }
+    for (l = 0, i = 0; l < bands; l++)
+        for (; i < (l + 1) * (l + 1); i++) {
+            out->start[i] = entries;
+            out->first[i] = out->last[i] = 0;
+            for (j = 0; j < 2 * l + 1; j++) {
+                if (fabs(x[i][l * l + j]) < 1e-12) continue;
+                if (!out->last[i]) out->first[i] = j;
+                out->last[i] = j + 1;
+            }
+            for (j = out->first[i]; j < out->last[i]; j += 2) out->x[entries++] = C(x[i][l * l + j]);
+        }
+    return out;
+}
+
 /* ---- registration ---- */
 
 static void add(const polygon_input *in, const char *impl, void (*run)(const bench_case *), double tolerance)
@@ -172,10 +290,13 @@ static void suite(const char *name, int sides)
             in->lobes = make_lobes(bands);
             in->weights = make_weights(bands, in->lobes);
             in->legendre = make_legendre(bands);
+            in->frame = make_frame(bands);
             in->out = bench_alloc(POINTS * (size_t)(planes * bands * bands), sizeof(real));
             add(in, "library", library, wr);
-            add(in, "edge_frame", edge_frame, wr);
+            add(in, "library_one", library_one, wr);
             add(in, "library_zonal", library_zonal, wr);
+            add(in, "edge_frame_lanes", edge_frame_lanes, wr);
+            add(in, "edge_frame", FN(polygon_edge_frame), wr);
             add(in, "monomial", FN(polygon_monomial), mono);
             add(in, "wang_ramamoorthi", FN(polygon_wang_ramamoorthi), wr);
         }

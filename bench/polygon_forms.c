@@ -1,6 +1,7 @@
 /* polygon_forms.c - polygon lights by zonal integrals about 2n-1 lobes: WR18's recurrence on Legendre polynomials,
- * and the recurrence on monomials of Snyder 1996 that it replaced (WR18 section 4.1 and Table 2). The baselines of
- * suite `polygon`, for convex polygons that run positively about the point, as everywhere in WR18.
+ * and the recurrence on monomials of Snyder 1996 that it replaced (WR18 section 4.1 and Table 2); and by the closed form
+ * in each edge's frame. The baselines of suite `polygon`, for convex polygons that run positively about the point, as
+ * everywhere in WR18.
  *
  * WR18 Algorithm 1 with its slips mended: 1/l on B_{l-2}, S_0 from interior angles, B_1 accumulated. Its gradient is
  * boundary transport: d S_l/dx = sum over edges of mu_e times the integral of P_l(z)/|p| along the edge. */
@@ -210,12 +211,39 @@ INLINE void polygon_light(const int monomial, const int bands, const int gradien
             }
 }
 
+#define V real
+#define V_SQRT REAL_SQRT
+#define FRAME(name) name
+#include "polygon_frame.h"
+
+INLINE void frame_light(const int bands, const int gradient, const int sides, const polygon_input *in, const real point[3],
+                        real *RESTRICT out)
+{
+    edge edges[POLYGON_MAX_SIDES];
+    const real s0 = prepare(sides, 1, point, in->vertices, edges);
+    int i, k;
+    for (i = 0; i < (gradient ? 4 : 1) * bands * bands; i++) out[i] = 0;
+    for (i = 0; i < sides; i++) {
+        const edge *e = &edges[i];
+        const real ch = REAL_SQRT(C(0.5) + C(0.5) * e->c), sh = C(0.5) * e->s / ch;
+        real mid[3], along[3];
+        for (k = 0; k < 3; k++) {
+            mid[k] = ch * e->w[k] + sh * e->lambda[k];
+            along[k] = ch * e->lambda[k] - sh * e->w[k];
+        }
+        frame_edge(bands, gradient, in->frame, mid, along, e->mu, e->angle, ch, sh, e->k0 * ch + e->k1 * sh,
+                   e->k1 * ch - e->k0 * sh, out);
+    }
+    out[0] = s0 * C(0.28209479177387814);
+}
+
 #define POINT_LOOP(monomial, gradient)                                                                     \
     size_t i;                                                                                              \
     for (i = 0; i < in->points; i++) {                                                                     \
         const real *at = in->point + 3 * i;                                                                \
         real *out = in->out + i * (gradient ? 4 : 1) * BANDS * BANDS;                                      \
-        if (in->sides == 3) polygon_light(monomial, BANDS, gradient, 3, in, at, out);              \
+        if (monomial == 2) frame_light(BANDS, gradient, in->sides, in, at, out);                           \
+        else if (in->sides == 3) polygon_light(monomial, BANDS, gradient, 3, in, at, out);                 \
         else polygon_light(monomial, BANDS, gradient, in->sides, in, at, out);                             \
     }
 #define ALL_BANDS(monomial, gradient)                                                                      \
@@ -242,5 +270,15 @@ void FN(polygon_wang_ramamoorthi)(const bench_case *self)
         ALL_BANDS(0, 1)
     } else {
         ALL_BANDS(0, 0)
+    }
+}
+
+void FN(polygon_edge_frame)(const bench_case *self)
+{
+    const polygon_input *in = self->input;
+    if (in->gradient) {
+        ALL_BANDS(2, 1)
+    } else {
+        ALL_BANDS(2, 0)
     }
 }
