@@ -141,6 +141,11 @@ enum {
 #else
 #  define SHI_UNROLL
 #endif
+#if defined(__GNUC__)
+#  define SHI_RARELY(condition) __builtin_expect((condition), 0)
+#else
+#  define SHI_RARELY(condition) (condition)
+#endif
 #if defined(__has_builtin)
 #  if __has_builtin(__builtin_elementwise_sqrt)
 #    define SHI_SQRT_ELEMENTWISE
@@ -158,7 +163,7 @@ enum {
 #define SHI_POLYNOMIAL_BANDS 10                         /* shi_horner's; the most that can be unrolled */
 #define SHI_ROWS(l, m) ((l) * ((l) + 1) / 2 + (m))      /* index into tables by band and m */
 
-#define SHI_HORNER(l, m) (SHI_POLYNOMIAL_BANDS / 2 * SHI_ROWS(l, m))    /* index into shi_horner */
+#define SHI_HORNER(l, m, k) (SHI_FN(shi_horner)[SHI_FN(shi_horner_row)[l] + (k) * ((l) + 2) + (m)])
 
 #define SHI_CAT_(a, b) a##b
 #define SHI_CAT(a, b)  SHI_CAT_(a, b)
@@ -366,6 +371,7 @@ SHI_INLINE int shi_overlap(const void *a, size_t a_bytes, const void *b, size_t 
 #undef SHI_SUM
 #undef SHI_ANY
 #undef SHI_KEEP
+#undef SHI_LINES
 #undef SHI_BITS_OF
 #undef SHI_SELECT
 #undef  SHI_ROOM
@@ -531,6 +537,70 @@ SHI_KERNEL void SHI_KN(shi_zip)(SHI_V a, SHI_V b, SHI_V *lo, SHI_V *hi)
     }
 #endif
 }
+/* for one direction with its orders m in the lanes */
+#if defined(SHI_SHUFFLE) && defined(SHI_MANY_LANES) && SHI_LANES >= 4 && SH_UNROLLED_BANDS <= SHI_POLYNOMIAL_BANDS
+#define SHI_LINES
+SHI_KERNEL SHI_V SHI_KN(shi_orders)(void)           /* 0 1 2 ... */
+{
+    static const SHI_T m[8] = { 0, 1, 2, 3, 4, 5, 6, 7 };
+    return SHI_LOAD(m);
+}
+SHI_KERNEL SHI_M SHI_KN(shi_orders_with)(int bit)   /* mask of the orders that have this bit */
+{
+    SHI_I m[SHI_W];
+    SHI_M mask;
+    int i;
+    SHI_UNROLL
+    for (i = 0; i < SHI_W; i++) m[i] = i & bit ? -1 : 0;
+    memcpy(&mask, m, sizeof mask);
+    return mask;
+}
+SHI_KERNEL SHI_M SHI_KN(shi_odd_orders)(void) { return SHI_KN(shi_orders_with)(1); }
+/* lanes k, k-1, ..., 0 of a, then those of b from the last down */
+SHI_KERNEL SHI_V SHI_KN(shi_backwards)(SHI_V a, SHI_V b, int k)
+{
+    switch (k) {
+#if SHI_LANES == 4
+    case 0:  return __builtin_shufflevector(a, b, 0, 7, 6, 5);
+    case 1:  return __builtin_shufflevector(a, b, 1, 0, 7, 6);
+    case 2:  return __builtin_shufflevector(a, b, 2, 1, 0, 7);
+    default: return __builtin_shufflevector(a, b, 3, 2, 1, 0);
+#else
+    case 0:  return __builtin_shufflevector(a, b, 0, 15, 14, 13, 12, 11, 10, 9);
+    case 1:  return __builtin_shufflevector(a, b, 1, 0, 15, 14, 13, 12, 11, 10);
+    case 2:  return __builtin_shufflevector(a, b, 2, 1, 0, 15, 14, 13, 12, 11);
+    case 3:  return __builtin_shufflevector(a, b, 3, 2, 1, 0, 15, 14, 13, 12);
+    case 4:  return __builtin_shufflevector(a, b, 4, 3, 2, 1, 0, 15, 14, 13);
+    case 5:  return __builtin_shufflevector(a, b, 5, 4, 3, 2, 1, 0, 15, 14);
+    case 6:  return __builtin_shufflevector(a, b, 6, 5, 4, 3, 2, 1, 0, 15);
+    default: return __builtin_shufflevector(a, b, 7, 6, 5, 4, 3, 2, 1, 0);
+#endif
+    }
+}
+/* the last lane of a, then those of b */
+SHI_KERNEL SHI_V SHI_KN(shi_shift_in)(SHI_V a, SHI_V b)
+{
+#if SHI_LANES == 4
+    return __builtin_shufflevector(a, b, 3, 4, 5, 6);
+#else
+    return __builtin_shufflevector(a, b, 7, 8, 9, 10, 11, 12, 13, 14);
+#endif
+}
+/* the first `lanes` of v, or more if there is room for a register */
+SHI_KERNEL void SHI_KN(shi_put_some)(SHI_T *p, SHI_V v, int room, int lanes)
+{
+    int i = 0;
+    if (room >= SHI_W || lanes >= SHI_W) {
+        memcpy(p, &v, sizeof v);
+        return;
+    }
+#if SHI_BYTES == 32
+    if (lanes >= SHI_W / 2) memcpy(p, &v, sizeof v / 2), i = SHI_W / 2;
+#endif
+    SHI_UNROLL
+    for (; i < lanes; i++) p[i] = v[i];
+}
+#endif
 #endif
 
 /* a*b + c, rounded once where the target can. Kernels leave contraction to the compiler except in sums of two products,
@@ -585,31 +655,20 @@ SHI_KERNEL void SHI_KN(shi_square)(SHI_V x, SHI_V y, SHI_V *c, SHI_V *s)
     *c = (x - y) * (x + y);
     *s = xy + xy;
 }
-/* p = { U, V of m; of m-1; of 2 } from those of m-1, U_m + i V_m = (-x - iy)^m: two short chains instead of a long one */
-SHI_KERNEL void SHI_KN(shi_power)(int m, const SHI_V u[3], SHI_V p[6])
+/* c[m], s[m] = U_m, V_m from those below, U_m + i V_m = (-x - iy)^m: by the power of two below m, the short way */
+SHI_KERNEL void SHI_KN(shi_power)(int m, const SHI_V u[4], SHI_V *c, SHI_V *s)
 {
-    const SHI_V c = p[0], s = p[1];
-    if (m == 0) {
-        p[0] = SHI_SPLAT(1);
-        p[1] = p[2] = p[3] = p[4] = p[5] = SHI_SPLAT(0);
-        return;
-    }
-    if (m == 1) {
-        p[0] = -u[0];
-        p[1] = -u[1];
-    } else if (m == 2) {
-        SHI_KN(shi_square)(c, s, &p[0], &p[1]);
-        p[4] = p[0];
-        p[5] = p[1];
-    } else if (m == 4) {
-        SHI_KN(shi_square)(p[4], p[5], &p[0], &p[1]);
+    const int h = m >= 16 ? 16 : m >= 8 ? 8 : m >= 4 ? 4 : m >= 2 ? 2 : 1;
+    if (m < 2) {
+        c[m] = m ? -u[0] : SHI_SPLAT(1);
+        s[m] = m ? -u[1] : SHI_SPLAT(0);
+    } else if (m == h) {
+        SHI_KN(shi_square)(c[h / 2], s[h / 2], &c[m], &s[m]);
     } else {
-        p[0] = p[2];
-        p[1] = p[3];
-        SHI_KN(shi_turn)(p[4], p[5], &p[0], &p[1]);
+        c[m] = c[m - h];
+        s[m] = s[m - h];
+        SHI_KN(shi_turn)(c[h], s[h], &c[m], &s[m]);
     }
-    p[2] = c;
-    p[3] = s;
 }
 
 /* |y - x|^2 - r^2 in twice the working precision, d = y - x: what is left decides everything near a light.
@@ -661,37 +720,36 @@ SHI_KERNEL int SHI_KN(shi_in_range)(SHI_V v, SHI_T lo, SHI_T hi)
 
 /* u = v/|v| of a nearly unit v, and u[3] = z^2 - 1/2 = 1/2 - (x^2 + y^2), exact to eps/4 at the poles and the equator: what
  * rounding does to x^2 + y^2 is in e = |v|^2 - 1 as well, and cancels. 1/sqrt(1 + e) = 1 - e/2, the length right to eps/4 */
-SHI_KERNEL SHI_V SHI_KN(shi_polish)(const SHI_V v[3], SHI_V u[4])
+SHI_KERNEL SHI_V SHI_KN(shi_polish)(const SHI_V v[3], SHI_V u[4], SHI_V *s)
 {
-    const SHI_V r2 = SHI_FMA(v[0], v[0], v[1] * v[1]), e = SHI_FMA(v[2], v[2], SHI_SPLAT(-1)) + r2, s = SHI_C(-0.5) * e;
-    int k;
-    for (k = 0; k < 3; k++) u[k] = SHI_FMA(v[k], s, v[k]);
+    const SHI_V r2 = SHI_FMA(v[0], v[0], v[1] * v[1]), e = SHI_FMA(v[2], v[2], SHI_SPLAT(-1)) + r2;
+    *s = SHI_C(-0.5) * e;
+    u[0] = SHI_FMA(v[0], *s, v[0]);             /* no loop: an array that a loop walks stays in memory */
+    u[1] = SHI_FMA(v[1], *s, v[1]);
+    u[2] = SHI_FMA(v[2], *s, v[2]) + SHI_SPLAT(0);      /* no -0 */
     u[3] = SHI_FMA(r2, e, SHI_C(0.5) - r2);
-    return e;
+    return SHI_ABS(e);
 }
 
-/* unit vectors of nearly unit ones; 0 if one is not */
-SHI_KERNEL int SHI_KN(shi_nearly_unit)(const SHI_V v[3], SHI_V u[4])
+/* unit vectors and 1/length of vectors of any length; 0 if one is out of range. Nearly unit ones, the usual case, have their
+ * own way, and get its bits in whatever company */
+SHI_KERNEL int SHI_KN(shi_unit)(const SHI_V v[3], SHI_V u[4], SHI_V *inverse)
 {
-    return SHI_KN(shi_in_range)(SHI_ABS(SHI_KN(shi_polish)(v, u)), 0, SHI_NEAR);
-}
-
-/* unit vectors and 1/length of vectors of any length; 0 if one is out of range. `alike`: a nearly unit one gets the bits of
- * shi_nearly_unit, whatever its company in the register */
-SHI_KERNEL int SHI_KN(shi_unit)(const SHI_V v[3], int alike, SHI_V u[4], SHI_V *inverse)
-{
-    const SHI_V r2 = SHI_KN(shi_length2)(v), i = SHI_C(1) / SHI_SQRT(r2);
-    SHI_V w[3], scale = i;
-    if (alike) {
-        const SHI_V off = SHI_ABS(SHI_KN(shi_polish)(v, u));
-        scale = SHI_SELECT((SHI_M)(off <= SHI_NEAR), SHI_SPLAT(1), i);
+    SHI_V s;
+    const SHI_V off = SHI_KN(shi_polish)(v, u, &s), r2 = SHI_KN(shi_length2)(v);
+    *inverse = SHI_C(1) + s;
+    if (SHI_RARELY(!SHI_KN(shi_in_range)(off, 0, SHI_NEAR))) {
+        const SHI_M near = (SHI_M)(off <= SHI_SPLAT(SHI_NEAR));
+        const SHI_V i = SHI_C(1) / SHI_SQRT(r2), scale = SHI_SELECT(near, SHI_SPLAT(1), i);
+        SHI_V w[3];
+        w[0] = v[0] * scale;
+        w[1] = v[1] * scale;
+        w[2] = v[2] * scale;
+        (void)SHI_KN(shi_polish)(w, u, &s);
+        *inverse = SHI_SELECT(near, *inverse, i);
+        return SHI_KN(shi_in_range)(r2, SHI_MIN2, SHI_MAX2);
     }
-    w[0] = v[0] * scale;
-    w[1] = v[1] * scale;
-    w[2] = v[2] * scale;
-    (void)SHI_KN(shi_polish)(w, u);
-    *inverse = i;
-    return SHI_KN(shi_in_range)(r2, SHI_MIN2, SHI_MAX2);
+    return 1;
 }
 
 /* W vectors from the first `lanes` of W triples; the last one again past the end */
@@ -972,14 +1030,25 @@ SHI_NOINLINE int SHI_KN(shi_angles)(int n, size_t count, const SHI_T *theta, con
     return status;
 }
 
+#if defined(SHI_LINES)
+SHI_KERNEL int SHI_KN(shi_one_beyond)(int n, int planes, const SHI_T *v, SHI_T *y, SHI_T *g)
+{
+    return SHI_KN(shi_one_any)(n, planes, v, y, 1, g, planes == SH_GRADIENT, g, 0);
+}
+#define SHI_SINGLE(planes, y, g) SHI_BANDS(n, SHI_KN(shi_one_line), SHI_KN(shi_one_beyond), planes, v, y, g)
+#else
+#define SHI_SINGLE(planes, y, g) \
+    SHI_BANDS(n, SHI_KN(shi_one_fixed), SHI_KN(shi_one_any), planes, v, y, 1, g, planes == SH_GRADIENT, g, 0)
+#endif
 SHI_NOINLINE int SHI_KN(shi_single_values)(int n, const SHI_T v[3], SHI_T *y)
 {
-    SHI_BANDS(n, SHI_KN(shi_one_fixed), SHI_KN(shi_one_any), SH_VALUES, v, y, 1, y, 0, y, 0)
+    SHI_SINGLE(SH_VALUES, y, y)
 }
 SHI_NOINLINE int SHI_KN(shi_single_both)(int n, const SHI_T v[3], SHI_T *y, SHI_T *g)
 {
-    SHI_BANDS(n, SHI_KN(shi_one_fixed), SHI_KN(shi_one_any), SH_GRADIENT, v, y, 1, g, 1, g, 0)
+    SHI_SINGLE(SH_GRADIENT, y, g)
 }
+#undef SHI_SINGLE
 SHI_NOINLINE int SHI_KN(shi_single_gradient)(int n, const SHI_T v[3], SHI_T *y, SHI_T *g)
 {
     SHI_T discard[3 * SH_UNROLLED_BANDS * SH_UNROLLED_BANDS];
@@ -1003,16 +1072,19 @@ SHI_NOINLINE int SHI_KN(shi_single_hessian)(int n, const SHI_T v[3], SHI_T *y, S
 /* a[N]: per m from the highest, per parity of l-m, cos then -sin, highest power first */
 SHI_INLINE void SHI_FN(shi_horner_form)(int n, const SHI_T *c, SHI_T *a)
 {
-    int m, parity, sign, k, d;
+    SHI_T sum[2][SHI_POLYNOMIAL_BANDS / 2][2][SHI_POLYNOMIAL_BANDS];       /* by parity of l, power, sign, m */
+    int l, m, parity, sign, k;
+    memset(sum, 0, sizeof sum);
+    for (l = 0; l < n; l++)
+        for (k = 0; 2 * k <= l; k++)
+            for (m = 0; m <= l; m++) {
+                sum[l & 1][k][0][m] += c[l * (l + 1) + m] * SHI_HORNER(l, m, k);
+                sum[l & 1][k][1][m] -= c[l * (l + 1) - m] * SHI_HORNER(l, m, k);
+            }
     for (m = n - 1; m >= 0; m--)
         for (parity = 0; parity < 2 && parity < n - m; parity++)
-            for (sign = 1; sign >= (m ? -1 : 1); sign -= 2)
-                for (k = (n - 1 - m - parity) / 2; k >= 0; k--) {
-                    SHI_T sum = 0;
-                    for (d = 2 * k + parity; d < n - m; d += 2)
-                        sum += c[(m + d) * (m + d + 1) + sign * m] * SHI_FN(shi_horner)[SHI_HORNER(m + d, m) + k];
-                    *a++ = (SHI_T)sign * sum;
-                }
+            for (sign = 0; sign < (m ? 2 : 1); sign++)
+                for (k = (n - 1 - m - parity) / 2; k >= 0; k--) *a++ = sum[(m + parity) & 1][k][sign][m];
 }
 
 /* a[N]: per m, per l, cos then sin */
@@ -1027,8 +1099,8 @@ SHI_INLINE void SHI_FN(shi_forward_form)(int n, const SHI_T *c, SHI_T *a)
 }
 #endif
 
-/* terms of column m into value and F', from A, B and their derivatives by z; U, V of m and m-1 */
-SHI_KERNEL void SHI_KN(shi_sum_column)(int m, const SHI_V ab[2], const SHI_V dab[2], const SHI_V uv[6], int with_grad,
+/* terms of column m into value and F', from A, B and their derivatives by z; c[m], s[m] = U_m, V_m */
+SHI_KERNEL void SHI_KN(shi_sum_column)(int m, const SHI_V ab[2], const SHI_V dab[2], const SHI_V *c, const SHI_V *s, int with_grad,
                                        SHI_V *value, SHI_V f[3])
 {
     if (m == 0) {
@@ -1038,11 +1110,11 @@ SHI_KERNEL void SHI_KN(shi_sum_column)(int m, const SHI_V ab[2], const SHI_V dab
             f[2] = dab[0];
         }
     } else {
-        *value = SHI_FMA(ab[0], uv[0], SHI_FMA(ab[1], uv[1], *value));
+        *value = SHI_FMA(ab[0], c[m], SHI_FMA(ab[1], s[m], *value));
         if (with_grad) {
-            f[0] -= SHI_C(m) * SHI_FMA(ab[0], uv[2], ab[1] * uv[3]);
-            f[1] += SHI_C(m) * SHI_FMA(ab[0], uv[3], -(ab[1] * uv[2]));
-            f[2] = SHI_FMA(dab[0], uv[0], SHI_FMA(dab[1], uv[1], f[2]));
+            f[0] -= SHI_C(m) * SHI_FMA(ab[0], c[m - 1], ab[1] * s[m - 1]);
+            f[1] += SHI_C(m) * SHI_FMA(ab[0], s[m - 1], -(ab[1] * c[m - 1]));
+            f[2] = SHI_FMA(dab[0], c[m], SHI_FMA(dab[1], s[m], f[2]));
         }
     }
 }
@@ -1111,16 +1183,15 @@ SHI_KERNEL void SHI_KN(shi_sum_horner)(int n, int with_grad, const SHI_T *a, con
 
 SHI_KERNEL void SHI_KN(shi_sum_forward)(int n, int with_grad, const SHI_T *a, const SHI_V u[4], SHI_V *value, SHI_V f[3])
 {
-    SHI_V uv[6], polar[3], column[2][SH_MAX_BANDS];
+    SHI_V c[SH_MAX_BANDS], s[SH_MAX_BANDS], polar[3], column[2][SH_MAX_BANDS];
     int l, m;
-    SHI_KN(shi_power)(0, u, uv);
     SHI_KN(shi_polar_any)(u, polar);
     SHI_KN(shi_column_any)(0, n, polar, column[0]);
     for (m = 0; m < n; m++) {
         const SHI_V *const q0 = column[m & 1], *const q1 = column[(m + 1) & 1];
         SHI_V ab[2], dab[2];
         ab[0] = ab[1] = dab[0] = dab[1] = SHI_SPLAT(0);
-        if (m > 0) SHI_KN(shi_power)(m, u, uv);
+        SHI_KN(shi_power)(m, u, c, s);
         SHI_KN(shi_column_any)(m + 1, n, polar, column[(m + 1) & 1]);
         for (l = m; l < n; l++) {
             const SHI_V d = l > m ? SHI_FN(shi_slope)[SHI_ROWS(l, m)] * q1[l] : SHI_SPLAT(0);
@@ -1133,7 +1204,7 @@ SHI_KERNEL void SHI_KN(shi_sum_forward)(int n, int with_grad, const SHI_T *a, co
                 a++;
             }
         }
-        SHI_KN(shi_sum_column)(m, ab, dab, uv, with_grad, value, f);
+        SHI_KN(shi_sum_column)(m, ab, dab, c, s, with_grad, value, f);
     }
 }
 
@@ -1147,9 +1218,10 @@ SHI_KERNEL int SHI_KN(shi_sums)(int n, int horner, int with_grad, const SHI_T *a
         ahead = (count - first + SHI_W - 1) / SHI_W < SHI_AHEAD ? (count - first + SHI_W - 1) / SHI_W : SHI_AHEAD;
         for (j = 0; j < ahead; j++) {
             const size_t rest = count - first - j * SHI_W;
-            SHI_V v[3];
+            SHI_V v[3], inverse;
             SHI_KN(shi_load3)(dirs + 3 * (first + j * SHI_W), rest < SHI_W ? (int)rest : SHI_W, v);
-            good[j] = (!with_grad && SHI_KN(shi_nearly_unit)(v, u[j])) || SHI_KN(shi_unit)(v, !with_grad, u[j], &u[j][4]);
+            good[j] = SHI_KN(shi_unit)(v, u[j], &inverse);
+            if (with_grad) u[j][4] = inverse;
         }
         for (j = 0; j < ahead; j++) {
             const size_t p = first + j * SHI_W;
@@ -1238,7 +1310,7 @@ SHI_KERNEL SHI_V SHI_KN(shi_light_geometry)(const SHI_T point[3], const SHI_V ce
     const int plain = !SHI_ANY(usual | SHI_KN(shi_out_of)(rough, SHI_MIN2, SHI_MAX2));
     SHI_V gap = rough, length = r2, hole = gap, s, i, ig, x, y, z, alpha;
     SHI_M inside, none;
-    if (!plain) {
+    if (SHI_RARELY(!plain)) {
         const SHI_M close = (SHI_M)(rough < SHI_C(0.5) * r2);
         if (SHI_ANY(close)) gap = SHI_SELECT(close, SHI_KN(shi_gap)(center, point, radius), rough);
         inside = (SHI_M)(gap <= zero) & (SHI_M)(radius > zero);
@@ -1455,7 +1527,7 @@ SHI_KERNEL int SHI_KN(shi_sample_geometry)(const SHI_T *dirs, const SHI_T *weigh
     SHI_T w[SHI_W];
     int i, ok;
     SHI_KN(shi_load3)(dirs + 3 * first, lanes, v);
-    ok = SHI_KN(shi_unit)(v, 0, u, &o->inverse);
+    ok = SHI_KN(shi_unit)(v, u, &o->inverse);
     for (i = 0; i < SHI_W; i++) w[i] = i < lanes ? weights[first + (size_t)i] : 0;
     o->x = -u[0];
     o->y = -u[1];
@@ -1562,10 +1634,9 @@ SHI_KERNEL void SHI_BN(shi_column)(int m, int n, const SHI_V a[3], SHI_V *q)
     int k;
     SHI_LOOP
     for (l = m; l < n; l++) {
-        const SHI_T *const c = SHI_FN(shi_horner) + SHI_HORNER(l, m);
-        SHI_V h = SHI_SPLAT(c[(l - m) / 2]);
+        SHI_V h = SHI_SPLAT(SHI_HORNER(l, m, (l - m) / 2));
         SHI_LOOP
-        for (k = (l - m) / 2 - 1; k >= 0; k--) h = h * a[1] + c[k];
+        for (k = (l - m) / 2 - 1; k >= 0; k--) h = SHI_FMA(h, a[1], SHI_SPLAT(SHI_HORNER(l, m, k)));
         q[l] = (l - m) & 1 ? h * a[0] : h;
     }
 #else
@@ -1584,13 +1655,12 @@ SHI_KERNEL void SHI_BN(shi_column)(int m, int n, const SHI_V a[3], SHI_V *q)
 /* y[N], `stride` elements from one coefficient to the next */
 SHI_KERNEL void SHI_BN(shi_values)(int n, int single, const SHI_V u[4], SHI_T *y, int stride)
 {
-    SHI_V a[3], q[SH_MAX_BANDS], p[6];
+    SHI_V a[3], q[SH_MAX_BANDS], c[SH_MAX_BANDS], s[SH_MAX_BANDS];
     int l, m;
-    SHI_KN(shi_power)(0, u, p);
     SHI_BN(shi_polar)(u, a);
     SHI_LOOP
     for (m = 0; m < n; m++) {
-        if (m > 0) SHI_KN(shi_power)(m, u, p);
+        SHI_KN(shi_power)(m, u, c, s);
         SHI_BN(shi_column)(m, n, a, q);
         SHI_LOOP
         for (l = m; l < n; l++) {
@@ -1598,8 +1668,8 @@ SHI_KERNEL void SHI_BN(shi_values)(int n, int single, const SHI_V u[4], SHI_T *y
             if (m == 0) {
                 SHI_PUT(at, q[l], single);
             } else {
-                SHI_PUT(at + m * stride, q[l] * p[0], single);
-                SHI_PUT(at - m * stride, q[l] * p[1], single);
+                SHI_PUT(at + m * stride, q[l] * c[m], single);
+                SHI_PUT(at - m * stride, q[l] * s[m], single);
             }
         }
     }
@@ -1608,41 +1678,40 @@ SHI_KERNEL void SHI_BN(shi_values)(int n, int single, const SHI_V u[4], SHI_T *y
 /* y[N], g[3][N] = dY(v/|v|)/dv at u = v/|v|, i = 1/|v|; a stride of 0 discards an output into one place */
 SHI_KERNEL void SHI_BN(shi_gradient)(int n, int single, const SHI_V u[4], SHI_V i, SHI_T *y, int y_stride, SHI_T *g, int stride)
 {
-    const SHI_V z = u[2], xi = -u[0] * i, vi = -u[1] * i;
+    const SHI_V z = u[2], xi = -u[0] * i, vi = -u[1] * i, zero = SHI_SPLAT(0);
     SHI_T *const gx = g, *const gy = gx + n * n * stride, *const gz = gy + n * n * stride;
-    SHI_V a[3], column[2][SH_MAX_BANDS], p[6], ic = i, is = i;
+    SHI_V a[3], column[2][SH_MAX_BANDS], c[SH_MAX_BANDS], s[SH_MAX_BANDS];
     int l, m;
-    SHI_KN(shi_power)(0, u, p);
     SHI_BN(shi_polar)(u, a);
     SHI_BN(shi_column)(0, n, a, column[0]);
     SHI_LOOP
     for (m = 0; m < n; m++) {
         const SHI_V *const q0 = column[m & 1], *const q1 = column[(m + 1) & 1];
-        const SHI_V mc = SHI_C(-m) * ic, ms = SHI_C(-m) * is;               /* -m i U_{m-1}, -m i V_{m-1} */
-        SHI_V xc, xs, vc, vs;
+        const SHI_V mi = SHI_C(-m) * i, mc = mi * (m ? c[m - 1] : zero), ms = mi * (m ? s[m - 1] : zero);
+        SHI_V ic, is, xc, xs, vc, vs;
         SHI_BN(shi_column)(m + 1, n, a, column[(m + 1) & 1]);
-        if (m > 0) SHI_KN(shi_power)(m, u, p);
-        ic = i * p[0];
-        is = i * p[1];
-        xc = xi * p[0];
-        xs = xi * p[1];
-        vc = vi * p[0];
-        vs = vi * p[1];
+        SHI_KN(shi_power)(m, u, c, s);
+        ic = i * c[m];
+        is = i * s[m];
+        xc = xi * c[m];
+        xs = xi * s[m];
+        vc = vi * c[m];
+        vs = vi * s[m];
         SHI_LOOP
         for (l = m; l < n; l++) {
             const SHI_V q = q0[l], d = l > m ? SHI_FN(shi_slope)[SHI_ROWS(l, m)] * q1[l] : SHI_SPLAT(0);
-            const SHI_V b = m == 0 ? z * d : l > m ? SHI_FMA(z, d, SHI_C(m) * q) : SHI_C(m) * q;   /* u.F', over U_m */
-            const SHI_V e = l > m ? d - z * b : -z * b;                                        /* F'_z - z u.F' */
+            const SHI_V b = l > m ? SHI_FMA(z, d, m ? SHI_C(m) * q : zero) : SHI_C(m) * q;     /* u.F', over U_m */
+            const SHI_V e = SHI_FMA(-z, b, d);                                                 /* F'_z - z u.F' */
             const int at = l * l + l;
             if (m == 0) {
                 SHI_PUT(y + at * y_stride, q, single);
-                SHI_PUT(gx + at * stride, l ? xi * b : d, single);
-                SHI_PUT(gy + at * stride, l ? vi * b : d, single);
+                SHI_PUT(gx + at * stride, l ? SHI_FMA(xi, b, zero) : d, single);
+                SHI_PUT(gy + at * stride, l ? SHI_FMA(vi, b, zero) : d, single);
                 SHI_PUT(gz + at * stride, l ? i * e : d, single);
             } else {
                 const SHI_V qc = q * mc, qs = q * ms;
-                SHI_PUT(y + (at + m) * y_stride, q * p[0], single);
-                SHI_PUT(y + (at - m) * y_stride, q * p[1], single);
+                SHI_PUT(y + (at + m) * y_stride, q * c[m], single);
+                SHI_PUT(y + (at - m) * y_stride, q * s[m], single);
                 SHI_PUT(gx + (at + m) * stride, SHI_FMA(xc, b, qc), single);
                 SHI_PUT(gx + (at - m) * stride, SHI_FMA(xs, b, qs), single);
                 SHI_PUT(gy + (at + m) * stride, SHI_FMA(vc, b, -qs), single);
@@ -1734,15 +1803,6 @@ SHI_KERNEL void SHI_BN(shi_hessian)(int n, int single, const SHI_V u[4], SHI_V i
     }
 }
 
-/* W directions from a plane of SH_BLOCK: unit vector, t, 1/length; 0 if one is out of range */
-SHI_KERNEL int SHI_BN(shi_directions)(int planes, const SHI_T *dirs, SHI_V u[5])
-{
-    SHI_V v[3];
-    int k;
-    for (k = 0; k < 3; k++) v[k] = SHI_LOAD(dirs + k * SH_BLOCK);
-    return (planes == SH_VALUES && SHI_KN(shi_nearly_unit)(v, u)) || SHI_KN(shi_unit)(v, planes == SH_VALUES, u, &u[4]);
-}
-
 /* dirs[blocks][3][8] to y[N][8], g[3 N][8], h[6 N][8] per block, yn, gn, hn elements apart (0: each block over the last);
  * a stride ys, gs, hs of 0 discards an output of the looped body */
 SHI_KERNEL int SHI_BN(shi_blocks)(int n, int planes, size_t blocks, const SHI_T *dirs, SHI_T *y, size_t yn,
@@ -1756,9 +1816,10 @@ SHI_KERNEL int SHI_BN(shi_blocks)(int n, int planes, size_t blocks, const SHI_T 
         count = all - first < SHI_AHEAD ? all - first : SHI_AHEAD;
         for (at = 0; at < count; at++) {
             const SHI_T *const d = dirs + (first + at) / vectors * (3 * SH_BLOCK) + (first + at) % vectors * SHI_W;
-            SHI_V v[3], *const u = ahead[at];
+            SHI_V v[3], inverse, *const u = ahead[at];
             for (k = 0; k < 3; k++) v[k] = SHI_LOAD(d + k * SH_BLOCK);
-            valid[at] = (planes == SH_VALUES && SHI_KN(shi_nearly_unit)(v, u)) || SHI_KN(shi_unit)(v, planes == SH_VALUES, u, &u[4]);
+            valid[at] = SHI_KN(shi_unit)(v, u, &inverse);
+            if (planes != SH_VALUES) u[4] = inverse;
         }
         for (at = 0; at < count; at++) {
             const size_t b = (first + at) / vectors, lane = (first + at) % vectors * SHI_W;
@@ -1828,14 +1889,130 @@ SHI_KERNEL void SHI_BN(shi_angles)(int n, SHI_V ct, SHI_V st, SHI_V cp, SHI_V sp
     }
 }
 
+#if SHI_FIXED && defined(SHI_LINES)
+/* v0 of lanes m = 0, 1, ... of row l: to out[l + m]; v1 to out[l - m], m > 0. `room` elements from out may be written: the
+ * garbage of lanes past l falls where the next row, or the other half, comes later */
+SHI_KERNEL void SHI_KN(shi_put_row)(int l, const SHI_V *v0, const SHI_V *v1, SHI_T *out, int room)
+{
+    const int registers = l / SHI_W + 1, last = registers - 1;
+    int r;
+    SHI_UNROLL
+    for (r = 0; r < registers; r++)
+        SHI_KN(shi_put_some)(out + r * SHI_W, SHI_KN(shi_backwards)(v1[last - r], v1[r < last ? last - r - 1 : 0], l % SHI_W),
+                             room - r * SHI_W, l - r * SHI_W);
+    SHI_UNROLL
+    for (r = 0; r < registers; r++)
+        SHI_KN(shi_put_some)(out + l + r * SHI_W, v0[r], room - l - r * SHI_W, l + 1 - r * SHI_W);
+}
+
+/* One direction, its orders m in the lanes: row by row, what shi_values and shi_gradient give, to the bit.
+ * y[N] and, if planes say so, g[3][N]; returns 0, and writes nothing, when the direction is out of range */
+SHI_KERNEL int SHI_KN(shi_one_line)(int n, int planes, const SHI_T d[3], SHI_T *y, SHI_T *g)
+{
+    enum { REGISTERS = (SHI_POLYNOMIAL_BANDS - 1) / SHI_W + 1 };
+    const SHI_V zero = SHI_SPLAT(0), one = SHI_SPLAT(1), order = SHI_KN(shi_orders)();
+    SHI_V v[3], u[4], i, c[REGISTERS + 1], s[REGISTERS + 1], hc[17], hs[17], odd[2];      /* hc, hs: U, V of 2^k, all lanes */
+    SHI_V xc[REGISTERS], xs[REGISTERS], vc[REGISTERS], vs[REGISTERS], ic[REGISTERS], is[REGISTERS], mc[REGISTERS], ms[REGISTERS];
+    const SHI_M upper = (SHI_M)(order != zero), parity = SHI_KN(shi_odd_orders)();
+    int l, r, k, h;
+    v[0] = SHI_KEEP(SHI_SPLAT(d[0]));           /* or gcc multiplies before it spreads */
+    v[1] = SHI_KEEP(SHI_SPLAT(d[1]));
+    v[2] = SHI_KEEP(SHI_SPLAT(d[2]));
+    if (!SHI_KN(shi_unit)(v, u, &i)) return 0;
+    odd[0] = SHI_SELECT(parity, u[2], one);                     /* z where l-m is odd, for even l; for odd l */
+    odd[1] = SHI_SELECT(parity, one, u[2]);
+    /* powers, as in shi_power */
+    hc[1] = -u[0];
+    hs[1] = -u[1];
+    SHI_UNROLL
+    for (h = 2; h < n; h *= 2) SHI_KN(shi_square)(hc[h / 2], hs[h / 2], &hc[h], &hs[h]);
+    c[0] = SHI_SELECT(parity, hc[1], one);
+    s[0] = SHI_SELECT(parity, hs[1], zero);
+    SHI_UNROLL
+    for (h = 2; h < n && h < SHI_W; h *= 2) {
+        SHI_V tc = c[0], ts = s[0];
+        const SHI_M has = SHI_KN(shi_orders_with)(h), is_h = (SHI_M)(order == SHI_SPLAT(SHI_C(h)));
+        if (h < n - 1) SHI_KN(shi_turn)(hc[h], hs[h], &tc, &ts);
+        c[0] = SHI_SELECT(has, h < n - 1 ? SHI_SELECT(is_h, hc[h], tc) : hc[h], c[0]);
+        s[0] = SHI_SELECT(has, h < n - 1 ? SHI_SELECT(is_h, hs[h], ts) : hs[h], s[0]);
+    }
+    SHI_UNROLL
+    for (r = 1; r * SHI_W < n; r++) {
+        const int top = r * SHI_W >= 8 ? 8 : r * SHI_W >= 4 ? 4 : 2;
+        c[r] = c[r - top / SHI_W];
+        s[r] = s[r - top / SHI_W];
+        SHI_KN(shi_turn)(hc[top], hs[top], &c[r], &s[r]);
+        if (r * SHI_W == top) {
+            c[r] = SHI_SELECT(upper, c[r], hc[top]);
+            s[r] = SHI_SELECT(upper, s[r], hs[top]);
+        }
+    }
+    y[0] = SHI_HORNER(0, 0, 0);
+    if (planes == SH_GRADIENT) {
+        const SHI_V xi = -u[0] * i, vi = -u[1] * i;
+        SHI_UNROLL
+        for (r = 0; r * SHI_W < n; r++) {
+            const SHI_V m = r ? order + SHI_SPLAT(SHI_C(r * SHI_W)) : order;
+            const SHI_V c1 = SHI_KN(shi_shift_in)(r ? c[r - 1] : zero, c[r]), s1 = SHI_KN(shi_shift_in)(r ? s[r - 1] : zero, s[r]);
+            xc[r] = xi * c[r];
+            xs[r] = xi * s[r];
+            vc[r] = vi * c[r];
+            vs[r] = vi * s[r];
+            ic[r] = i * c[r];
+            is[r] = i * s[r];
+            mc[r] = ((zero - m) * i) * c1;                      /* +0 for m = 0 */
+            ms[r] = (m * i) * s1;
+        }
+        g[0] = g[n * n] = g[2 * n * n] = 0;
+    }
+    SHI_UNROLL
+    for (l = 1; l < n; l++) {
+        const SHI_T *const row = SHI_FN(shi_horner) + SHI_FN(shi_horner_row)[l];
+        const int room = n * n - l * l;
+        SHI_V out[4][2][REGISTERS];
+        SHI_UNROLL
+        for (r = 0; r * SHI_W <= l; r++) {
+            SHI_V q = SHI_LOAD(row + l / 2 * (l + 2) + r * SHI_W);
+            SHI_UNROLL
+            for (k = l / 2 - 1; k >= 0; k--) q = SHI_FMA(q, u[3], SHI_LOAD(row + k * (l + 2) + r * SHI_W));
+            q = q * odd[l & 1];
+            out[0][0][r] = q * c[r];
+            out[0][1][r] = q * s[r];
+            if (planes == SH_GRADIENT) {
+                SHI_V e = SHI_LOAD(row + (l - 1) / 2 * (l + 2) + r * SHI_W + 1), b, qm, qc, qs;
+                SHI_UNROLL
+                for (k = (l - 1) / 2 - 1; k >= 0; k--) e = SHI_FMA(e, u[3], SHI_LOAD(row + k * (l + 2) + r * SHI_W + 1));
+                e = SHI_LOAD(SHI_FN(shi_slope) + SHI_ROWS(l, r * SHI_W)) * (e * odd[(l + 1) & 1]);
+                if (r == 0) q = SHI_SELECT(upper, q, zero);     /* as shi_gradient does without these terms */
+                qm = (r ? order + SHI_SPLAT(SHI_C(r * SHI_W)) : order) * q;
+                qc = q * mc[r];
+                qs = q * ms[r];
+                b = SHI_FMA(u[2], e, qm);
+                e = SHI_FMA(-u[2], b, e);
+                out[1][0][r] = SHI_FMA(xc[r], b, qc);
+                out[1][1][r] = SHI_FMA(xs[r], b, -qs);
+                out[2][0][r] = SHI_FMA(vc[r], b, qs);
+                out[2][1][r] = SHI_FMA(vs[r], b, qc);
+                out[3][0][r] = ic[r] * e;
+                out[3][1][r] = is[r] * e;
+            }
+        }
+        SHI_KN(shi_put_row)(l, out[0][0], out[0][1], y + l * l, room);
+        SHI_UNROLL
+        for (k = 1; k < 4 && planes == SH_GRADIENT; k++)
+            SHI_KN(shi_put_row)(l, out[k][0], out[k][1], g + (k - 1) * n * n + l * l, room);
+    }
+    return 1;
+}
+#endif
+
 /* one direction, the registers' first lane: what a batch would give, to the bit; 0, and nothing written, when not valid */
 SHI_KERNEL int SHI_BN(shi_one)(int n, int planes, const SHI_T d[3], SHI_T *y, int ys, SHI_T *g, int gs, SHI_T *h, int hs)
 {
     SHI_V v[3], u[4], inverse;
     int k;
     for (k = 0; k < 3; k++) v[k] = SHI_SPLAT(d[k]);
-    if (planes == SH_VALUES && SHI_KN(shi_nearly_unit)(v, u)) inverse = u[0];
-    else if (!SHI_KN(shi_unit)(v, 0, u, &inverse)) return 0;
+    if (!SHI_KN(shi_unit)(v, u, &inverse)) return 0;
     if (planes == SH_VALUES) SHI_BN(shi_values)(n, 1, u, y, ys);
     else if (planes == SH_GRADIENT) SHI_BN(shi_gradient)(n, 1, u, inverse, y, ys, g, gs);
     else SHI_BN(shi_hessian)(n, 1, u, inverse, y, ys, g, gs, h, hs);
@@ -1930,7 +2107,7 @@ SHI_NOINLINE int SHI_FN(shi_symmetric)(int n, const SHI_T v[3], const SHI_T *f, 
     if (!(h ? SHI_MANY(shi_single_hessian)(n, v, c, g, h) : g ? SHI_MANY(shi_single_gradient)(n, v, c, g)
                                                             : SHI_MANY(shi_single_values)(n, v, c)))
         return SHI_FN(shi_direction_status)(v);
-    if (!SHI_ONE(shi_unit)(v, 0, u, &i)) return SH_ERROR_DIRECTION;
+    if (!SHI_ONE(shi_unit)(v, u, &i)) return SH_ERROR_DIRECTION;
     for (l = 0; l < n; l++)
         for (m = -l; m <= l; m++) {
             const int at = l * (l + 1) + m;
@@ -1960,7 +2137,7 @@ SHI_NOINLINE int SHI_FN(shi_sphere)(int n, const SHI_T x[3], const SHI_T y[3], S
     gap = SHI_ONE(shi_gap)(y, x, r);
     inside = r > 0 && gap <= 0;
     if (r > 0 && !inside) {
-        if (!SHI_ONE(shi_unit)(v, 0, u, &i)) return SH_ERROR_DIRECTION;
+        if (!SHI_ONE(shi_unit)(v, u, &i)) return SH_ERROR_DIRECTION;
         SHI_FN(shi_cap)(n, r * i, SHI_LIBM(sqrt)(gap) * i, i, f, f1, f2);
         return SHI_FN(shi_symmetric)(n, v, f, f1, f2, c, g, h);
     }
@@ -1990,7 +2167,7 @@ SHI_NOINLINE int SHI_FN(shi_light_field)(int n, size_t count, const SHI_T *dirs,
         if (depth[t] <= 0) return SH_ERROR_RADIUS;
         if (!SHI_FN(shi_finite)(a, 3) || SHI_FN(shi_is_nan)(depth[t])) return SH_ERROR_NOT_FINITE;
         if (!SHI_FN(shi_finite)(depth + t, 1)) continue;
-        (void)SHI_ONE(shi_unit)(w, 0, u, &inverse);
+        (void)SHI_ONE(shi_unit)(w, u, &inverse);
         least = SHI_C(1e-3) * SHI_LIBM(sqrt)(a[0] * a[0] + a[1] * a[1] + a[2] * a[2]);
         facing = a[0] * u[0] + a[1] * u[1] + a[2] * u[2];
         if (SHI_LIBM(fabs)(facing) < least) facing = facing < 0 ? -least : least;
@@ -3335,63 +3512,62 @@ static const SHI_T SHI_FN(shi_zonal)[34] = {
     SHI_C(2.129768972944957), SHI_C(2.1668112103298047), SHI_C(2.203230756026887),
     SHI_C(2.2390579955406924), SHI_C(2.274320920733615), SHI_C(2.309045385777095)
 };
-/* [5 (l(l+1)/2 + m) + k]: q_l^m = z^((l-m)&1) sum_k c_k (z^2 - 1/2)^k, norm included */
-static const SHI_T SHI_FN(shi_horner)[275] = {
-    SHI_C(0.28209479177387814), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.4886025119029199),
-    SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.4886025119029199), SHI_C(0.0), SHI_C(0.0),
-    SHI_C(0.0), SHI_C(0.0), SHI_C(0.15769578262626), SHI_C(0.94617469575756), SHI_C(0.0), SHI_C(0.0),
-    SHI_C(0.0), SHI_C(1.0925484305920792), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0),
-    SHI_C(0.5462742152960396), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(-0.1865881662950577),
-    SHI_C(1.865881662950577), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.6855686991966986),
-    SHI_C(2.2852289973223288), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(1.4453057213202771), SHI_C(0.0),
-    SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.5900435899266435), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0),
-    SHI_C(0.0), SHI_C(-0.343803027474414), SHI_C(0.5289277345760215), SHI_C(3.7024941420321507), SHI_C(0.0),
-    SHI_C(0.0), SHI_C(0.3345232717786446), SHI_C(4.683325804901024), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0),
-    SHI_C(1.18271836969695), SHI_C(3.3116114351514603), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0),
-    SHI_C(1.7701307697799304), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.6258357354491761),
-    SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(-0.4970388704270503), SHI_C(-0.8186522571739652),
-    SHI_C(7.367870314565686), SHI_C(0.0), SHI_C(0.0), SHI_C(-0.3397099883967727), SHI_C(3.1706265583698783),
-    SHI_C(9.511879675109636), SHI_C(0.0), SHI_C(0.0), SHI_C(1.198384196243331), SHI_C(7.190305177459986),
-    SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(1.7123340480233764), SHI_C(4.403144694917254), SHI_C(0.0),
-    SHI_C(0.0), SHI_C(0.0), SHI_C(2.075662314881041), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0),
-    SHI_C(0.6563820568401701), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(-0.1509768553856175),
-    SHI_C(-2.3361681833353445), SHI_C(2.0024298714302953), SHI_C(14.684485723822167), SHI_C(0.0),
-    SHI_C(-1.0195873844077799), SHI_C(1.7478640875561942), SHI_C(19.226504963118135), SHI_C(0.0),
-    SHI_C(0.0), SHI_C(0.11515065743936544), SHI_C(6.909039446361926), SHI_C(15.199886781996238), SHI_C(0.0),
-    SHI_C(0.0), SHI_C(2.3030131487873087), SHI_C(10.133257854664159), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0),
-    SHI_C(2.2705420532792586), SHI_C(5.550213908015966), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0),
-    SHI_C(2.366619162231752), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.6831841051919143),
-    SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.1963172961220142), SHI_C(-3.840990576300278),
-    SHI_C(-3.3800717071442445), SHI_C(29.29395479525012), SHI_C(0.0), SHI_C(-0.6887785078166945),
-    SHI_C(-3.455183990031287), SHI_C(13.414243726003821), SHI_C(38.75225965289993), SHI_C(0.0),
-    SHI_C(-0.9403819714455881), SHI_C(7.301789425342213), SHI_C(31.64108750981626), SHI_C(0.0), SHI_C(0.0),
-    SHI_C(0.8996388697081907), SHI_C(12.04733790739664), SHI_C(22.373627542308046), SHI_C(0.0), SHI_C(0.0),
-    SHI_C(3.6324090510418223), SHI_C(13.491805046726768), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0),
-    SHI_C(2.854035682961432), SHI_C(6.745902523363384), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0),
-    SHI_C(2.6459606618019), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.7071627325245962),
-    SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.3470010481466383), SHI_C(-1.104042614725147),
-    SHI_C(-13.044059040641551), SHI_C(7.796449081762767), SHI_C(58.47336811322075),
-    SHI_C(-0.3680142049083823), SHI_C(-8.6960393604277), SHI_C(7.796449081762767), SHI_C(77.96449081762766),
-    SHI_C(0.0), SHI_C(-1.08336161378291), SHI_C(-1.254418710696001), SHI_C(32.614886478096025),
-    SHI_C(65.22977295619205), SHI_C(0.0), SHI_C(-0.30881653882388604), SHI_C(16.058460018842073),
-    SHI_C(48.17538005652622), SHI_C(0.0), SHI_C(0.0), SHI_C(2.0332702302271555), SHI_C(18.658244465613897),
-    SHI_C(31.097074109356495), SHI_C(0.0), SHI_C(0.0), SHI_C(5.174865933147162), SHI_C(17.24955311049054),
-    SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(3.4601629793870265), SHI_C(7.9849914908931385), SHI_C(0.0),
-    SHI_C(0.0), SHI_C(0.0), SHI_C(2.9157066406993195), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0),
-    SHI_C(0.7289266601748299), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.49653220922798197),
-    SHI_C(1.6378958485779138), SHI_C(-22.666365130320163), SHI_C(-13.737190988072825),
-    SHI_C(116.76612339861902), SHI_C(0.31818174868912225), SHI_C(-6.025315139733252),
-    SHI_C(-23.037969651921255), SHI_C(55.29112716461101), SHI_C(156.65819363306454),
-    SHI_C(-1.2846015040594343), SHI_C(-9.82342326633685), SHI_C(35.36432375881266),
-    SHI_C(133.59855642218116), SHI_C(0.0), SHI_C(-1.2119848650425105), SHI_C(4.501658070157895),
-    SHI_C(63.023212982210545), SHI_C(102.03758292357897), SHI_C(0.0), SHI_C(1.0194248096822933),
-    SHI_C(28.543894671104216), SHI_C(69.32088705839595), SHI_C(0.0), SHI_C(0.0), SHI_C(3.5334925230328844),
-    SHI_C(26.80580534714602), SHI_C(41.427153718316575), SHI_C(0.0), SHI_C(0.0), SHI_C(6.921229179411617),
-    SHI_C(21.392890190908638), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(4.086791110080399),
-    SHI_C(9.263393182848905), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(3.1773176489546975), SHI_C(0.0),
-    SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.7489009518531883), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0),
-    SHI_C(0.0)
+/* [shi_horner_row[l] + k (l+2) + m]: q_l^m = z^((l-m)&1) sum_k c_k (z^2 - 1/2)^k, norm included */
+static const SHI_T SHI_FN(shi_horner)[243] = {
+    SHI_C(0.28209479177387814), SHI_C(0.0), SHI_C(0.4886025119029199), SHI_C(0.4886025119029199),
+    SHI_C(0.0), SHI_C(0.15769578262626), SHI_C(1.0925484305920792), SHI_C(0.5462742152960396), SHI_C(0.0),
+    SHI_C(0.94617469575756), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(-0.1865881662950577),
+    SHI_C(0.6855686991966986), SHI_C(1.4453057213202771), SHI_C(0.5900435899266435), SHI_C(0.0),
+    SHI_C(1.865881662950577), SHI_C(2.2852289973223288), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0),
+    SHI_C(-0.343803027474414), SHI_C(0.3345232717786446), SHI_C(1.18271836969695),
+    SHI_C(1.7701307697799304), SHI_C(0.6258357354491761), SHI_C(0.0), SHI_C(0.5289277345760215),
+    SHI_C(4.683325804901024), SHI_C(3.3116114351514603), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0),
+    SHI_C(3.7024941420321507), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0),
+    SHI_C(-0.4970388704270503), SHI_C(-0.3397099883967727), SHI_C(1.198384196243331),
+    SHI_C(1.7123340480233764), SHI_C(2.075662314881041), SHI_C(0.6563820568401701), SHI_C(0.0),
+    SHI_C(-0.8186522571739652), SHI_C(3.1706265583698783), SHI_C(7.190305177459986),
+    SHI_C(4.403144694917254), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(7.367870314565686),
+    SHI_C(9.511879675109636), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0),
+    SHI_C(-0.1509768553856175), SHI_C(-1.0195873844077799), SHI_C(0.11515065743936544),
+    SHI_C(2.3030131487873087), SHI_C(2.2705420532792586), SHI_C(2.366619162231752),
+    SHI_C(0.6831841051919143), SHI_C(0.0), SHI_C(-2.3361681833353445), SHI_C(1.7478640875561942),
+    SHI_C(6.909039446361926), SHI_C(10.133257854664159), SHI_C(5.550213908015966), SHI_C(0.0), SHI_C(0.0),
+    SHI_C(0.0), SHI_C(2.0024298714302953), SHI_C(19.226504963118135), SHI_C(15.199886781996238), SHI_C(0.0),
+    SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(14.684485723822167), SHI_C(0.0), SHI_C(0.0),
+    SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.1963172961220142),
+    SHI_C(-0.6887785078166945), SHI_C(-0.9403819714455881), SHI_C(0.8996388697081907),
+    SHI_C(3.6324090510418223), SHI_C(2.854035682961432), SHI_C(2.6459606618019), SHI_C(0.7071627325245962),
+    SHI_C(0.0), SHI_C(-3.840990576300278), SHI_C(-3.455183990031287), SHI_C(7.301789425342213),
+    SHI_C(12.04733790739664), SHI_C(13.491805046726768), SHI_C(6.745902523363384), SHI_C(0.0), SHI_C(0.0),
+    SHI_C(0.0), SHI_C(-3.3800717071442445), SHI_C(13.414243726003821), SHI_C(31.64108750981626),
+    SHI_C(22.373627542308046), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0),
+    SHI_C(29.29395479525012), SHI_C(38.75225965289993), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0),
+    SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.3470010481466383), SHI_C(-0.3680142049083823),
+    SHI_C(-1.08336161378291), SHI_C(-0.30881653882388604), SHI_C(2.0332702302271555),
+    SHI_C(5.174865933147162), SHI_C(3.4601629793870265), SHI_C(2.9157066406993195),
+    SHI_C(0.7289266601748299), SHI_C(0.0), SHI_C(-1.104042614725147), SHI_C(-8.6960393604277),
+    SHI_C(-1.254418710696001), SHI_C(16.058460018842073), SHI_C(18.658244465613897),
+    SHI_C(17.24955311049054), SHI_C(7.9849914908931385), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0),
+    SHI_C(-13.044059040641551), SHI_C(7.796449081762767), SHI_C(32.614886478096025),
+    SHI_C(48.17538005652622), SHI_C(31.097074109356495), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0),
+    SHI_C(0.0), SHI_C(7.796449081762767), SHI_C(77.96449081762766), SHI_C(65.22977295619205), SHI_C(0.0),
+    SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(58.47336811322075),
+    SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0),
+    SHI_C(0.0), SHI_C(0.49653220922798197), SHI_C(0.31818174868912225), SHI_C(-1.2846015040594343),
+    SHI_C(-1.2119848650425105), SHI_C(1.0194248096822933), SHI_C(3.5334925230328844),
+    SHI_C(6.921229179411617), SHI_C(4.086791110080399), SHI_C(3.1773176489546975),
+    SHI_C(0.7489009518531883), SHI_C(0.0), SHI_C(1.6378958485779138), SHI_C(-6.025315139733252),
+    SHI_C(-9.82342326633685), SHI_C(4.501658070157895), SHI_C(28.543894671104216), SHI_C(26.80580534714602),
+    SHI_C(21.392890190908638), SHI_C(9.263393182848905), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0),
+    SHI_C(-22.666365130320163), SHI_C(-23.037969651921255), SHI_C(35.36432375881266),
+    SHI_C(63.023212982210545), SHI_C(69.32088705839595), SHI_C(41.427153718316575), SHI_C(0.0), SHI_C(0.0),
+    SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(-13.737190988072825), SHI_C(55.29112716461101),
+    SHI_C(133.59855642218116), SHI_C(102.03758292357897), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0),
+    SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(116.76612339861902), SHI_C(156.65819363306454), SHI_C(0.0),
+    SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0),
+    SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0)
 };
+static const int SHI_FN(shi_horner_row)[10] = { 0, 2, 5, 13, 23, 41, 62, 94, 130, 180 };
 /* END tools/gen_gradient.py */
 
 #endif /* rooms */

@@ -95,10 +95,13 @@ def frac(f):
 
 
 def block():
-    low = [(l, m) for l in range(POLYNOMIAL_BANDS) for m in range(l + 1)]
-    padded = {m: horner(m) for m in range(POLYNOMIAL_BANDS)}
+    polynomials = {m: horner(m) for m in range(POLYNOMIAL_BANDS)}
     pairs = [(l, m) for l in range(TOP + 1) for m in range(l + 1)]
-    flat = [v for l, m in low for v in (padded[m][l - m] + [mpf(0)] * POLYNOMIAL_BANDS)[:POLYNOMIAL_BANDS // 2]]
+    flat, rows = [], []
+    for l in range(POLYNOMIAL_BANDS):       # a zero after each row, and registers may read past the last
+        rows.append(len(flat))
+        flat += [(polynomials[m][l - m] + [mpf(0)] * l)[k] if m <= l else mpf(0) for k in range(l // 2 + 1) for m in range(l + 2)]
+    flat += [mpf(0)] * 8
     return "\n".join([
         table("shi_beta", len(pairs), "[l(l+1)/2 + m]: monic q_l = z q_{l-1} - beta q_{l-2}; (l,l) holds -1, the seed of a column",
               [frac(beta(l, m)) for l, m in pairs]),
@@ -111,7 +114,8 @@ def block():
               [mpf(0)] + [1 / sqrt(mpf(4 * l * l - 1)) for l in range(1, TOP + 3)]),
         table("shi_reciprocal", 2 * TOP + 2, "[l]: 1/l, l >= 1", [mpf(0)] + [1 / mpf(l) for l in range(1, 2 * TOP + 2)]),
         table("shi_zonal", TOP + 1, "[l]: Y_l0(+z) = sqrt((2l+1)/(4 pi))", [sqrt((2 * l + 1) / (4 * pi)) for l in range(TOP + 1)]),
-        table("shi_horner", len(flat), "[5 (l(l+1)/2 + m) + k]: q_l^m = z^((l-m)&1) sum_k c_k (z^2 - 1/2)^k, norm included", flat),
+        table("shi_horner", len(flat), "[shi_horner_row[l] + k (l+2) + m]: q_l^m = z^((l-m)&1) sum_k c_k (z^2 - 1/2)^k, norm included", flat),
+        "static const int SHI_FN(shi_horner_row)[%d] = { %s };" % (len(rows), ", ".join(map(str, rows))),
     ])
 
 
