@@ -545,17 +545,16 @@ SHI_KERNEL SHI_V SHI_KN(shi_orders)(void)           /* 0 1 2 ... */
     static const SHI_T m[8] = { 0, 1, 2, 3, 4, 5, 6, 7 };
     return SHI_LOAD(m);
 }
-SHI_KERNEL SHI_M SHI_KN(shi_orders_with)(int bit)   /* mask of the orders that have this bit */
+SHI_KERNEL SHI_M SHI_KN(shi_orders_like)(int bits, int value)  /* mask of the orders with m & bits = value */
 {
     SHI_I m[SHI_W];
     SHI_M mask;
     int i;
     SHI_UNROLL
-    for (i = 0; i < SHI_W; i++) m[i] = i & bit ? -1 : 0;
+    for (i = 0; i < SHI_W; i++) m[i] = (i & bits) == value ? -1 : 0;
     memcpy(&mask, m, sizeof mask);
     return mask;
 }
-SHI_KERNEL SHI_M SHI_KN(shi_odd_orders)(void) { return SHI_KN(shi_orders_with)(1); }
 /* lanes k, k-1, ..., 0 of a, then those of b from the last down */
 SHI_KERNEL SHI_V SHI_KN(shi_backwards)(SHI_V a, SHI_V b, int k)
 {
@@ -1913,7 +1912,7 @@ SHI_KERNEL int SHI_KN(shi_one_line)(int n, int planes, const SHI_T d[3], SHI_T *
     const SHI_V zero = SHI_SPLAT(0), one = SHI_SPLAT(1), order = SHI_KN(shi_orders)();
     SHI_V v[3], u[4], i, c[REGISTERS + 1], s[REGISTERS + 1], hc[17], hs[17], odd[2];      /* hc, hs: U, V of 2^k, all lanes */
     SHI_V xc[REGISTERS], xs[REGISTERS], vc[REGISTERS], vs[REGISTERS], ic[REGISTERS], is[REGISTERS], mc[REGISTERS], ms[REGISTERS];
-    const SHI_M upper = (SHI_M)(order != zero), parity = SHI_KN(shi_odd_orders)();
+    const SHI_M upper = (SHI_M)(order != zero), parity = SHI_KN(shi_orders_like)(1, 1);
     int l, r, k, h;
     v[0] = SHI_KEEP(SHI_SPLAT(d[0]));           /* or gcc multiplies before it spreads */
     v[1] = SHI_KEEP(SHI_SPLAT(d[1]));
@@ -1931,7 +1930,7 @@ SHI_KERNEL int SHI_KN(shi_one_line)(int n, int planes, const SHI_T d[3], SHI_T *
     SHI_UNROLL
     for (h = 2; h < n && h < SHI_W; h *= 2) {
         SHI_V tc = c[0], ts = s[0];
-        const SHI_M has = SHI_KN(shi_orders_with)(h), is_h = (SHI_M)(order == SHI_SPLAT(SHI_C(h)));
+        const SHI_M has = SHI_KN(shi_orders_like)(h, h), is_h = SHI_KN(shi_orders_like)(2 * h - 1, h);
         if (h < n - 1) SHI_KN(shi_turn)(hc[h], hs[h], &tc, &ts);
         c[0] = SHI_SELECT(has, h < n - 1 ? SHI_SELECT(is_h, hc[h], tc) : hc[h], c[0]);
         s[0] = SHI_SELECT(has, h < n - 1 ? SHI_SELECT(is_h, hs[h], ts) : hs[h], s[0]);

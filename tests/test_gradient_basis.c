@@ -386,8 +386,10 @@ static void F(batches)(void **state)
         t[c] = (T)ref_between(0, 3.1);
         p[c] = (T)ref_between(0, 6.2);
     }
-    memcpy(dirs, "\0\0\0\0\0\0\0\0\0\0\0\0\0\0\0\0\0\0\0\0\0\0\0\0", 3 * sizeof(T));
-    dirs[2] = -1;                                                        /* a pole */
+    for (c = 0; c < 26; c++) {                                           /* axes and diagonals, and zeros of both signs */
+        const int digit[3] = { (int)(c + (c > 12)) % 3 - 1, (int)(c + (c > 12)) / 3 % 3 - 1, (int)(c + (c > 12)) / 9 - 1 };
+        for (k = 0; k < 3; k++) dirs[3 * c + (size_t)k] = digit[k] ? (T)digit[k] : c % 2 ? (T)-0.0 : 0;
+    }
     for (c = 0; c < BLOCKS * SH_BLOCK; c++)
         for (k = 0; k < 3; k++)
             blocked[(c / SH_BLOCK * 3 + (size_t)k) * SH_BLOCK + c % SH_BLOCK] = dirs[3 * (c % COUNT) + (size_t)k];
