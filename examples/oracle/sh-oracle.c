@@ -195,13 +195,14 @@ static int answer(const options *o, const numbers *q, int status, long line)
 int main(int argc, char **argv)
 {
     options o = { 3, 0, 0, -1, SH_BOTH, NULL };
-    numbers query = { NULL, 0, 0 };
+    numbers query = { NULL, 0, 64 };
     char *line = NULL;
     size_t room = 0;
     long at = 0;
     int bad = parse_command_line(argc, argv, &o), whole = SH_OK;
 
     if (bad) return bad;
+    query.data = grow(NULL, query.room * sizeof(double));
     while (read_line(&line, &room)) {
         const char *text = line + strspn(line, " \t");
         int status;
