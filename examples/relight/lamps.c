@@ -5,6 +5,7 @@
 
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 
 static void lamp(scene *s, vec3 a, vec3 b, vec3 c)
 {
@@ -37,12 +38,25 @@ static void hang_star(scene *s, vec3 at, vec3 u, vec3 v, int rays)
     }
 }
 
+/* Large, dim, far behind the camera: what the lamps do not reach is dark and not black. */
+static const float fill_sphere[4] = { -3, -18, 8, 2.5f }, fill_radiance[3] = { 0.35f, 0.48f, 0.7f };
+
+static void one_fill_light(lights *l, float power)
+{
+    int k;
+    l->count = 1;
+    l->sphere = need(NULL, 4, sizeof *l->sphere);
+    l->radiance = need(NULL, 3, sizeof *l->radiance);
+    memcpy(l->sphere, fill_sphere, sizeof fill_sphere);
+    for (k = 0; k < 3; k++) l->radiance[k] = power * fill_radiance[k];
+}
+
 void lamps_compare(const scene *room, const float *blocked, int bands, int nodes, int pieces, int width, int height,
                    const char *path)
 {
     static const char *const format[3] = { "a square in %d triangles", "the square in %d triangles",
                                            "a star of %d needles" };
-    static const float zoom[3] = { 100, 10, 50 };
+    static const float zoom[3] = { 1000, 10, 50 };
     const vec3 at = vec(-5.4f, -1.6f, 2.5f), u = vec(1.4f, 2.0f, 0), v = vec(0.6f, -0.4f, 2.3f);
     sheet out = sheet_new(3 * width, 3 * (height + LABEL));
     int row, i;
@@ -60,7 +74,7 @@ void lamps_compare(const scene *room, const float *blocked, int bands, int nodes
         view w;
 
         scene_copy(&s, room);
-        s.l.count = 0;
+        one_fill_light(&s.l, row == 2 ? 0.08f : 1);               /* the star is as much smaller */
         if (row == 2) hang_star(&s, at, u, v, 16);
         else hang_square(&s, at, u, v, row ? 1 : pieces);
         sprintf(name, format[row], s.p.count);
@@ -80,7 +94,7 @@ void lamps_compare(const scene *room, const float *blocked, int bands, int nodes
             sheet_paste(&out, i * width, row * (height + LABEL) + LABEL, picture[i], width, height, 1);
             free(picture[i]);
         }
-        free(of[0].rgb); free(of[1].rgb); free(w.at); free(w.glow);
+        free(of[0].rgb); free(of[1].rgb); free(w.at); free(w.glow); free(s.l.sphere); free(s.l.radiance);
         scene_free_copy(&s);
     }
     sheet_write(&out, path);

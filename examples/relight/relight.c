@@ -22,6 +22,7 @@ static const char help[] =
     "  --mesh FILE     an OBJ file in place of the teapot\n"
     "  --up y|z        its upward axis [y]\n"
     "  --lights N      spheres, 1 or more [900]\n"
+    "  --no-moon       spheres alone\n"
     "  --grid N        nodes along each axis of the grid, 2 or more [8]\n"
     "  --bands N       bands of the light, 1 to 9 [a table for 5 and one for 9]\n"
     "  --size WxH      of the picture [960x540]\n"
@@ -67,7 +68,7 @@ void progress(const char *what, double done)
 
 typedef struct {
     const char *mesh, *out;
-    int lights, grid, bands, width, height, threads, quick;
+    int lights, grid, bands, width, height, threads, quick, moon;
     char up;
 } options;
 
@@ -88,13 +89,14 @@ static int number(const char *option, const char *text, int low, int high)
 
 static options parse(int argc, char **argv)
 {
-    options o = { NULL, "build/demo", 900, 8, 0, 960, 540, 0, 0, 'y' };
+    options o = { NULL, "build/demo", 900, 8, 0, 960, 540, 0, 0, 1, 'y' };
     int i;
 
     for (i = 1; i < argc; i++) {
         const char *name = argv[i], *value = argv[i + 1];
         if (!strcmp(name, "--help")) { fputs(help, stdout); exit(0); }
         if (!strcmp(name, "--quick")) { o.quick = 1; continue; }
+        if (!strcmp(name, "--no-moon")) { o.moon = 0; continue; }
         if (!strcmp(name, "--mesh")) o.mesh = value_of(name, value);
         else if (!strcmp(name, "--out")) o.out = value_of(name, value);
         else if (!strcmp(name, "--lights")) o.lights = number(name, value, 1, 1000000);
@@ -140,8 +142,9 @@ static void compare(const scene *s, const view *w, const float *blocked, const o
     shade(s, w, blocked, bands, at, METHODS);
     exposure = picture_exposure(w, at[0].rgb);
     reference = picture_develop(w, at[0].rgb, exposure);
-    printf("\n%d spheres and a polygon of %d sides, %d bands, %d x %d pixels, %d points shaded\n", s->l.count,
-           s->p.corners, bands, o->width, o->height, w->count);
+    if (s->p.count) sprintf(text, " and a polygon of %d sides", s->p.corners);
+    printf("\n%d spheres%s, %d bands, %d x %d pixels, %d points shaded\n", s->l.count, s->p.count ? text : "", bands,
+           o->width, o->height, w->count);
     printf("%-20s %5s %10s %10s %10s %9s\n", "scheme", "nodes", "build ms", "shade ms", "MAE x 1e3", "speed-up");
     for (i = 0; i < METHODS; i++) {
         float *picture = picture_develop(w, at[i].rgb, exposure);
@@ -167,7 +170,7 @@ static void compare(const scene *s, const view *w, const float *blocked, const o
         free(picture);
         free(at[i].rgb);
     }
-    printf("* polygons have no Hessian: the moon is evaluated at every point\n");
+    if (s->p.count) printf("* polygons have no Hessian: the moon is evaluated at every point\n");
     sprintf(text, "%.200s-error.png", o->out);
     sheet_write(&errors, text);
     free(reference);
@@ -186,7 +189,7 @@ int main(int argc, char **argv)
 #endif
     scene_build(&room, o.mesh, o.up, o.lights, o.quick);
     scene_copy(&s, &room);
-    scene_add_moon(&s);
+    if (o.moon) scene_add_moon(&s);
     view_trace(&w, &s, o.width, o.height);
     picture_glow(&w);
     blocked = trace_blocked(&room, BANDS, o.quick ? 128 : 1024);

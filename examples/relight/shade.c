@@ -73,7 +73,7 @@ static field field_build(const scene *s, method *m, int bands)
                                         s->low.z + cell.z * (float)(j / n / n) };
                 add_as_spheres(&s->p, node, bands, out + (size_t)(j - i) * size);
             }
-        } else if (m->planes != SH_HESSIAN) {
+        } else if (m->planes != SH_HESSIAN && s->p.count) {
             float *more = need(NULL, (size_t)count * size, sizeof *more);
             check(sh_polygons_grid_f32(bands, m->planes, 3, SH_BOTH, &f.grid, (size_t)i, (size_t)count,
                                        (size_t)s->p.count, s->p.sides, s->p.vertex, s->p.radiance, more));
@@ -122,7 +122,7 @@ static void transfers(const scene *s, const float *blocked, int bands, const spo
         }
         open = fmaxf(open * d[0], 0);                                  /* the part of the cosine that sees the room */
         check(sh_diffuse_from_product_f32(b->gloss + i * n2, &under_white));
-        b->tint[i][3] = open * fresnel / fmaxf(under_white, 0.05f);    /* Schlick 1994; all of a white room comes back */
+        b->tint[i][3] = open * fresnel / fmaxf(under_white, 0.05f);    /* Schlick 1994; a white room comes back */
         for (k = 0; k < 3; k++) b->tint[i][k] = m->albedo[k] / PI;
     }
 }
@@ -170,9 +170,9 @@ void shade(const scene *s, const view *w, const float *blocked, int bands, metho
                 else
                     check(sh_grid_interp_n_f32(bands, at[k].planes, 3, &f[k].grid, f[k].coeffs, at[k].scheme,
                                                SH_CLAMP, (size_t)count, b->place[0], b->light));
-                if (at[k].scheme == PER_POINT || at[k].planes == SH_HESSIAN) {
-                    check(sh_polygons_n_f32(bands, SH_VALUES, 3, SH_BOTH, (size_t)count, b->place[0], (size_t)s->p.count,
-                                            s->p.sides, s->p.vertex, s->p.radiance, b->more));
+                if ((at[k].scheme == PER_POINT || at[k].planes == SH_HESSIAN) && s->p.count) {
+                    check(sh_polygons_n_f32(bands, SH_VALUES, 3, SH_BOTH, (size_t)count, b->place[0],
+                                            (size_t)s->p.count, s->p.sides, s->p.vertex, s->p.radiance, b->more));
                     add_to(b->light, b->more, (size_t)(count * 3 * bands * bands));
                 }
                 for (j = 0; j < count; j++) shade_point(b, j, bands * bands, at[k].rgb + 3 * (first + j));

@@ -58,6 +58,10 @@ do
 done
 rm "$out/first.png"
 
+# spheres alone
+"$relight" $quick --no-moon --lights 50 --bands 3 --out "$out/moonless" >"$out/moonless.txt"
+grep -q "^50 spheres, 3 bands" "$out/moonless.txt" || { echo "FAIL: relight --no-moon"; cat "$out/moonless.txt"; exit 1; }
+
 # the same bits from one thread and from several; edge Hermite on 8^3 nodes beats trilinear on 16^3
 "$relight" $quick --threads 1 --out "$out/one" >"$out/one.txt"
 "$relight" $quick --threads 3 --out "$out/three" >"$out/three.txt"
