@@ -3743,6 +3743,34 @@ SHI_INLINE void SHI_FN(shi_fan_normal)(const SHI_T *a, const SHI_T *b, const SHI
 #endif
 }
 
+/* What a polygon is from everywhere: its mean vertex, its radius about that, normals of the fan (count-2; or NULL). */
+typedef struct { SHI_T center[3], radius; const double *normal; } SHI_FN(shi_shape);
+
+SHI_INLINE void SHI_FN(shi_measure)(size_t count, const SHI_T *v, double *normal, SHI_FN(shi_shape) *o)
+{
+    SHI_T sum[3] = { 0, 0, 0 }, most = 0;
+    size_t i;
+    int k;
+    for (i = 0; i < count; i++)
+        for (k = 0; k < 3; k++) sum[k] += v[3 * i + (size_t)k];
+    for (k = 0; k < 3; k++) o->center[k] = sum[k] / SHI_C(count);
+    for (i = 0; i < count; i++) {
+        SHI_T h = 0;
+        for (k = 0; k < 3; k++) h += (v[3 * i + (size_t)k] - o->center[k]) * (v[3 * i + (size_t)k] - o->center[k]);
+        if (h > most) most = h;
+    }
+    o->radius = SHI_LIBM(sqrt)(most);
+    o->normal = normal;
+    for (i = 1; normal && i + 1 < count; i++) SHI_FN(shi_fan_normal)(v, v + 3 * i, v + 3 * i + 3, normal + 3 * (i - 1));
+}
+/* ... of triangle 0, i, i+1 */
+SHI_INLINE const double *SHI_FN(shi_shape_normal)(const SHI_FN(shi_shape) *s, const SHI_T *v, size_t i, double own[3])
+{
+    if (s->normal) return s->normal + 3 * (i - 1);
+    SHI_FN(shi_fan_normal)(v, v + 3 * i, v + 3 * i + 3, own);
+    return own;
+}
+
 /* Rules for small triangles, in barycentric coordinates of the second and third vertex, weights summing to 1/2: 1 point, 3
  * points (degree 2), 7 points (degree 5), then k x k Gauss points (degree 2k-2). `limit`: bands times angular diameter up
  * to which a rule keeps the bound. */
@@ -4294,7 +4322,8 @@ SHI_INLINE SHI_V SHI_KN(shi_polygon_turning)(const SHI_V x[3], size_t count, con
 #define SHI_ARCS 8                                          /* edges whose sums wait for each other, as `work` has room */
 #define SHI_POLYGON_SUMS(n) ((n) <= 10 ? 800 : 4 * (n) * (n))
 SHI_INLINE void SHI_KN(shi_polygon_block)(int n, int planes, int sides, SHI_FN(shi_rules) *rules, const SHI_V points[3],
-                                          size_t count, const SHI_T *v, int channels, const SHI_T *radiance, SHI_V *totals,
+                                          const SHI_FN(shi_shape) *shape, size_t count, const SHI_T *v, int channels,
+                                          const SHI_T *radiance, SHI_V *totals,
                                           SHI_V *omega, int *surface, SHI_M *hard, SHI_V *work)
 {
     static const double limits[2][11] = {
@@ -4306,18 +4335,10 @@ SHI_INLINE void SHI_KN(shi_polygon_block)(int n, int planes, int sides, SHI_FN(s
     const int gradient = planes >= SH_GRADIENT, slope = n * (n + 1), flux = n * (n - 1);
     SHI_V x[3], d2, dist, volume = zero, sign, factor, wide_factor = zero, size, dets[SHI_ARCS];
     SHI_M small, bad;
-    SHI_T center[3] = { 0, 0, 0 }, radius = 0;
+    const SHI_T *const center = shape->center, radius = shape->radius;
     size_t i;
     int c, k, l, level;
 
-    for (i = 0; i < 3 * count; i++) center[i % 3] += v[i];
-    for (k = 0; k < 3; k++) center[k] = center[k] / SHI_C(count);
-    for (i = 0; i < count; i++) {
-        SHI_T h = 0;
-        for (k = 0; k < 3; k++) h += (v[3 * i + (size_t)k] - center[k]) * (v[3 * i + (size_t)k] - center[k]);
-        if (h > radius) radius = h;
-    }
-    radius = SHI_LIBM(sqrt)(radius);
     bad = (SHI_M)(zero != zero);
     if (!(radius > smallest && radius < biggest)) {
         *hard = SHI_NOT(bad);
@@ -4338,10 +4359,8 @@ SHI_INLINE void SHI_KN(shi_polygon_block)(int n, int planes, int sides, SHI_FN(s
     small &= (SHI_M)(size < SHI_C(limits[SHI_BITS == 64][SHI_RULES - 1]));
 
     for (i = 1; i + 1 < count; i++) {                       /* the side */
-        double n2[3];
-        SHI_V det;
-        SHI_FN(shi_fan_normal)(v, v + 3 * i, v + 3 * i + 3, n2);
-        det = SHI_KN(shi_polygon_height)(x, v, n2);
+        double own[3];
+        const SHI_V det = SHI_KN(shi_polygon_height)(x, v, SHI_FN(shi_shape_normal)(shape, v, i, own));
         volume += det;
         if (i <= SHI_ARCS) dets[i - 1] = det;
     }
@@ -4378,9 +4397,8 @@ SHI_INLINE void SHI_KN(shi_polygon_block)(int n, int planes, int sides, SHI_FN(s
                     if (i <= SHI_ARCS) {
                         det = dets[i - 1];
                     } else {
-                        double n2[3];
-                        SHI_FN(shi_fan_normal)(v, from, to, n2);
-                        det = SHI_KN(shi_polygon_height)(x, v, n2);
+                        double own[3];
+                        det = SHI_KN(shi_polygon_height)(x, v, SHI_FN(shi_shape_normal)(shape, v, i, own));
                     }
                     odd = ((det * first.inverse) * a.inverse) * b.inverse;
                     least = SHI_SELECT(even < least, even, least);
@@ -4447,7 +4465,8 @@ SHI_INLINE void SHI_KN(shi_polygon_block)(int n, int planes, int sides, SHI_FN(s
         for (i = 1; i + 1 < count; i++) {
             const SHI_T *e1 = v + 3 * i, *e2 = v + 3 * i + 3, *rule = rules->node + 3 * rules->start[level];
             const int nodes = rules->start[level + 1] - rules->start[level];
-            double n2[3];
+            double own[3];
+            const double *const n2 = SHI_FN(shi_shape_normal)(shape, v, i, own);
             SHI_T e[3], f[3];
             SHI_V a0[3], det;
             int fill = 0, j;
@@ -4456,7 +4475,6 @@ SHI_INLINE void SHI_KN(shi_polygon_block)(int n, int planes, int sides, SHI_FN(s
                 e[k] = e1[k] - v[k];
                 f[k] = e2[k] - v[k];
             }
-            SHI_FN(shi_fan_normal)(v, e1, e2, n2);
             det = i <= SHI_ARCS ? dets[i - 1] : SHI_KN(shi_polygon_height)(x, v, n2);
             for (l = 0; l < ns * (ns + 1); l++) s[l] = zero;
             for (l = 0; l < nt * (nt + 1); l++) t[l] = zero;
@@ -5447,10 +5465,17 @@ SHI_INLINE int SHI_FN(shi_polygons_with)(int n, int planes, int channels, int si
     const int lanes = SHI_MANY(shi_polygon_lanes), size = n * n, rows = planes * size, totals = SHI_TOTALS(n);
     const size_t row = (size_t)rows, stride = (size_t)channels * row;
     SHI_MANY(shi_vector) *const sums = work + 3 * totals;
+    SHI_FN(shi_shape) shapes[17];                           /* the first polygons are measured once, */
+    double normals[3 * 64];                                 /* as far as this goes */
     SHI_FN(shi_rules) rules;
-    size_t p, g;
+    size_t p, g, known = 0, at = 0, corners = 0;
     int c, k, i, l, status = SH_OK;
     rules.made = 0;
+    while (known < 16 && known < polygons && at + (size_t)counts[known] - 2 <= 64 && points > 1) {
+        SHI_FN(shi_measure)((size_t)counts[known], vertices + 3 * corners, normals + 3 * at, &shapes[known]);
+        at += (size_t)counts[known] - 2;
+        corners += (size_t)counts[known++];
+    }
     for (p = 0; p < points; p += (size_t)lanes) {
         const int used = points - p < (size_t)lanes ? (int)(points - p) : lanes;
         SHI_T x[3 * SHI_MANY(shi_polygon_lanes)];
@@ -5486,9 +5511,10 @@ SHI_INLINE int SHI_FN(shi_polygons_with)(int n, int planes, int channels, int si
             omega[0] = omega[1] = omega[2] = SHI_MANY(shi_splat)(0);
             for (g = 0; g < polygons; v += 3 * counts[g++]) {
                 SHI_MANY(shi_mask) hard;
+                if (g >= known) SHI_FN(shi_measure)((size_t)counts[g], v, NULL, &shapes[16]);
                 for (k = 0; radiance && k < pass; k++) r[k] = radiance[(size_t)(c + k) * polygons + g];
-                SHI_MANY(shi_polygon_block)(n, planes, sides, &rules, xv, (size_t)counts[g], v, pass, r, work, omega,
-                                            &surface, &hard, sums);
+                SHI_MANY(shi_polygon_block)(n, planes, sides, &rules, xv, &shapes[g < known ? g : 16], (size_t)counts[g], v,
+                                            pass, r, work, omega, &surface, &hard, sums);
                 any |= SHI_MANY(shi_any)(hard);
             }
             for (k = 0; k < pass; k++) {
@@ -5508,8 +5534,9 @@ SHI_INLINE int SHI_FN(shi_polygons_with)(int n, int planes, int channels, int si
             for (g = 0, v = vertices; g < polygons; v += 3 * counts[g++]) {         /* rare: points in the plane of a light */
                 SHI_MANY(shi_mask) hard;
                 SHI_I marks[SHI_MANY(shi_polygon_lanes)];
-                SHI_MANY(shi_polygon_block)(n, planes, sides, &rules, xv, (size_t)counts[g], v, 0, r, work, omega,
-                                            &surface, &hard, sums);
+                if (g >= known) SHI_FN(shi_measure)((size_t)counts[g], v, NULL, &shapes[16]);
+                SHI_MANY(shi_polygon_block)(n, planes, sides, &rules, xv, &shapes[g < known ? g : 16], (size_t)counts[g], v, 0,
+                                            r, work, omega, &surface, &hard, sums);
                 memcpy(marks, &hard, sizeof marks);
                 for (i = 0; i < used; i++) {
                     double y[3], value[SH_MAX_POLYGON_BANDS * SH_MAX_POLYGON_BANDS];
