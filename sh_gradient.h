@@ -158,7 +158,7 @@ enum {
 #define SHI_STAGE 32768                                 /* bytes of stack a plain batch may use */
 #define SHI_AHEAD 4                                     /* registers of directions normalised before they are evaluated */
 #define SHI_POOL 400                                    /* vectors on the stack: weights of a block of lights ... */
-#define SHI_SUMS 800                                    /* ... running sums ... */
+#define SHI_SUMS 992                                    /* ... running sums ... */
 #define SHI_LIGHTS_AT_ONCE 16                           /* ... and most vectors of lights in a block */
 #define SHI_POLYNOMIAL_BANDS 10                         /* shi_horner's; the most that can be unrolled */
 #define SHI_ROWS(l, m) ((l) * ((l) + 1) / 2 + (m))      /* index into tables by band and m */
@@ -1290,7 +1290,6 @@ SHI_NOINLINE int SHI_KN(shi_sum_gradient)(int n, const SHI_T *a, size_t count, c
  * chains of one vector overlap with its neighbours'. */
 typedef struct {
     SHI_V x, y;             /* -(center - point)/d: powers of -x - iy carry the sign                                     */
-    SHI_V radiance;
     SHI_V inverse;          /* 1/d                                                                                       */
     SHI_V alpha, kappa;     /* cos of the half-angle; 1 - cos                                                            */
     SHI_V s2, q;            /* (r/d)^2; s2/(alpha d)                                                                     */
@@ -1495,49 +1494,50 @@ SHI_KERNEL void SHI_KN(shi_light_column)(int n, int kinds, int m, int nb, const 
 #undef SHI_ROWS_OF
 }
 
-/* W items of four planes from `first`; past the end the last item again, its radiance 0 */
-SHI_KERNEL void SHI_KN(shi_load_light)(const SHI_T *spheres, const SHI_T *radiance, size_t count, size_t first,
-                                       SHI_V center[3], SHI_V *radius, SHI_V *power)
+/* W items of four planes from `first`; past the end the last item again */
+SHI_KERNEL void SHI_KN(shi_load_light)(const SHI_T *spheres, size_t count, size_t first, SHI_V center[3], SHI_V *radius)
 {
-    SHI_T t[5][SHI_W];
+    SHI_T t[4][SHI_W];
     int i, k;
     if (count - first >= SHI_W) {
         for (k = 0; k < 3; k++) center[k] = SHI_LOAD(spheres + (size_t)k * count + first);
         *radius = SHI_LOAD(spheres + 3 * count + first);
-        *power = radiance ? SHI_LOAD(radiance + first) : SHI_SPLAT(1);
         return;
     }
-    for (i = 0; i < SHI_W; i++) {
-        const size_t at = first + (size_t)i < count ? first + (size_t)i : count - 1;
-        for (k = 0; k < 4; k++) t[k][i] = spheres[(size_t)k * count + at];
-        t[4][i] = first + (size_t)i >= count ? 0 : radiance ? radiance[at] : 1;
-    }
+    for (i = 0; i < SHI_W; i++)
+        for (k = 0; k < 4; k++) t[k][i] = spheres[(size_t)k * count + (first + (size_t)i < count ? first + (size_t)i : count - 1)];
     for (k = 0; k < 3; k++) center[k] = SHI_LOAD(t[k]);
     *radius = SHI_LOAD(t[3]);
-    *power = SHI_LOAD(t[4]);
 }
 
-/* W weighted directions in place of lights: geometry without a profile. Returns 0 if one is out of range */
-SHI_KERNEL int SHI_KN(shi_sample_geometry)(const SHI_T *dirs, const SHI_T *weights, size_t count, size_t first, SHI_V *z,
-                                           SHI_KN(shi_light) *o)
+/* W radiances or weights from `first`; 0 past the end, 1 for NULL */
+SHI_KERNEL SHI_V SHI_KN(shi_load_radiance)(const SHI_T *radiance, size_t count, size_t first)
+{
+    SHI_T t[SHI_W];
+    int i;
+    if (count - first >= SHI_W) return radiance ? SHI_LOAD(radiance + first) : SHI_SPLAT(1);
+    for (i = 0; i < SHI_W; i++) t[i] = first + (size_t)i >= count ? 0 : radiance ? radiance[first + (size_t)i] : 1;
+    return SHI_LOAD(t);
+}
+
+/* W directions in place of lights: geometry without a profile. Returns 0 if one is out of range */
+SHI_KERNEL int SHI_KN(shi_sample_geometry)(const SHI_T *dirs, size_t count, size_t first, SHI_V *z, SHI_KN(shi_light) *o)
 {
     const int lanes = count - first < SHI_W ? (int)(count - first) : SHI_W;
     SHI_V v[3], u[4];
-    SHI_T w[SHI_W];
-    int i, ok;
+    int ok;
     SHI_KN(shi_load3)(dirs + 3 * first, lanes, v);
     ok = SHI_KN(shi_unit)(v, u, &o->inverse);
-    for (i = 0; i < SHI_W; i++) w[i] = i < lanes ? weights[first + (size_t)i] : 0;
     o->x = -u[0];
     o->y = -u[1];
-    o->radiance = SHI_LOAD(w);
     *z = u[2];
     return ok;
 }
 
-/* moments[kinds][levels^2] of all lights at a point (`point`, spheres), or of weighted directions (point NULL, spheres = dirs).
- * Columns are taken as many at a time as their sums fit the stack; returns bits: 1 inside, 2 not finite, 4 negative radius */
-SHI_KERNEL int SHI_KN(shi_moments)(int n, int kinds, const SHI_T *point, size_t count, const SHI_T *spheres,
+/* moments[channels][kinds][levels^2] of all lights at a point (`point`, spheres), or of weighted directions (point NULL,
+ * spheres = dirs). radiance[channels][count] or NULL. A block's geometry and weights serve every channel; columns are taken as
+ * many at a time as their sums fit the stack. Returns bits: 1 inside, 2 not finite, 4 negative radius */
+SHI_KERNEL int SHI_KN(shi_moments)(int n, int kinds, int channels, const SHI_T *point, size_t count, const SHI_T *spheres,
                                    const SHI_T *radiance, SHI_T *moments)
 {
     const int levels = n - 1 + (kinds == 1 ? 1 : kinds == 3 ? 2 : 3), plane = levels * levels;
@@ -1546,14 +1546,14 @@ SHI_KERNEL int SHI_KN(shi_moments)(int n, int kinds, const SHI_T *point, size_t 
     SHI_V pool[SHI_POOL], sums[SHI_SUMS];
     SHI_KN(shi_light) lights[SHI_LIGHTS_AT_ONCE];
     SHI_M flags[3];
-    int bad = 0, m0, m1, m, j, k, i;
+    int bad = 0, m0, m1, m, j, k, i, channel;
     memset(flags, 0, sizeof flags);
     for (m0 = 0; m0 < levels; m0 = m1) {
         int size = 0, at = 0;
         size_t first;
-        for (m1 = m0; m1 < levels && size + 2 * kinds * (levels - m1) <= SHI_SUMS; m1++)
+        for (m1 = m0; m1 < levels && channels * (size + 2 * kinds * (levels - m1)) <= SHI_SUMS; m1++)
             size += 2 * kinds * (levels - m1);
-        memset(sums, 0, (size_t)size * sizeof sums[0]);
+        memset(sums, 0, (size_t)(channels * size) * sizeof sums[0]);
         for (first = 0; first < count; first += (size_t)at_once * SHI_W) {
             const size_t vectors = (count - first + SHI_W - 1) / SHI_W;
             const int nb = vectors < (size_t)at_once ? (int)vectors : at_once;
@@ -1562,41 +1562,49 @@ SHI_KERNEL int SHI_KN(shi_moments)(int n, int kinds, const SHI_T *point, size_t 
                 const size_t one = first + (size_t)i * SHI_W;
                 if (point) {
                     SHI_V center[3], radius;
-                    SHI_KN(shi_load_light)(spheres, radiance, count, one, center, &radius, &lights[i].radiance);
+                    SHI_KN(shi_load_light)(spheres, count, one, center, &radius);
                     z[i] = SHI_KN(shi_light_geometry)(point, center, radius, kinds, flags, &lights[i]);
-                } else if (!SHI_KN(shi_sample_geometry)(spheres, radiance, count, one, &z[i], &lights[i])) {
+                } else if (!SHI_KN(shi_sample_geometry)(spheres, count, one, &z[i], &lights[i])) {
                     bad = 2;
                 }
             }
-            for (i = 0; i < nb; i++)
-                SHI_KN(shi_light_powers)(lights[i].x, lights[i].y, lights[i].radiance, levels, nb, pool + i, pool + levels * nb + i);
             for (i = 0; i < nb && point; i++) SHI_KN(shi_light_weights)(n, kinds, &lights[i], levels, nb, weights + i);
             for (i = 0; i < nb * levels && !point; i++) weights[i] = SHI_SPLAT(1);
-            for (m = m0, at = 0; m < m1; at += 2 * kinds * (levels - m), m++)
-                SHI_KN(shi_light_column)(n, kinds, m, nb, pool, levels, sums + at);
+            for (channel = 0, at = 0; channel < channels; channel++) {
+                const SHI_T *const power = radiance ? radiance + (size_t)channel * count : NULL;
+                for (i = 0; i < nb; i++)
+                    SHI_KN(shi_light_powers)(lights[i].x, lights[i].y, SHI_KN(shi_load_radiance)(power, count, first + (size_t)i * SHI_W),
+                                             levels, nb, pool + i, pool + levels * nb + i);
+                for (m = m0; m < m1; at += 2 * kinds * (levels - m), m++)
+                    SHI_KN(shi_light_column)(n, kinds, m, nb, pool, levels, sums + at);
+            }
         }
-        for (m = m0, at = 0; m < m1; m++)
-            for (j = m; j < levels; j++)
-                for (k = 0; k < kinds; k++, at += 2) {
-                    SHI_T *const out = moments + k * plane + j * j + j;
-                    if (!(SHI_KINDS_AT(j - (n - 1)) >> k & 1u)) continue;       /* nobody reads it */
-                    out[m] = SHI_FN(shi_norm)[SHI_ROWS(j, m)] * SHI_SUM(sums[at]);
-                    if (m) out[-m] = SHI_FN(shi_norm)[SHI_ROWS(j, m)] * SHI_SUM(sums[at + 1]);
-                }
+        for (channel = 0, at = 0; channel < channels; channel++)
+            for (m = m0; m < m1; m++)
+                for (j = m; j < levels; j++)
+                    for (k = 0; k < kinds; k++, at += 2) {
+                        SHI_T *const out = moments + (channel * kinds + k) * plane + j * j + j;
+                        if (!(SHI_KINDS_AT(j - (n - 1)) >> k & 1u)) continue;       /* nobody reads it */
+                        out[m] = SHI_FN(shi_norm)[SHI_ROWS(j, m)] * SHI_SUM(sums[at]);
+                        if (m) out[-m] = SHI_FN(shi_norm)[SHI_ROWS(j, m)] * SHI_SUM(sums[at + 1]);
+                    }
     }
     return bad | (SHI_ANY(flags[0]) ? 1 : 0) | (SHI_ANY(flags[1]) ? 2 : 0) | (SHI_ANY(flags[2]) ? 4 : 0);
 }
-SHI_NOINLINE int SHI_KN(shi_moments_values)(int n, const SHI_T *point, size_t count, const SHI_T *spheres, const SHI_T *radiance, SHI_T *moments)
+SHI_NOINLINE int SHI_KN(shi_moments_values)(int n, int channels, const SHI_T *point, size_t count, const SHI_T *spheres,
+                                          const SHI_T *radiance, SHI_T *moments)
 {
-    return SHI_KN(shi_moments)(n, 1, point, count, spheres, radiance, moments);
+    return SHI_KN(shi_moments)(n, 1, channels, point, count, spheres, radiance, moments);
 }
-SHI_NOINLINE int SHI_KN(shi_moments_gradient)(int n, const SHI_T *point, size_t count, const SHI_T *spheres, const SHI_T *radiance, SHI_T *moments)
+SHI_NOINLINE int SHI_KN(shi_moments_gradient)(int n, int channels, const SHI_T *point, size_t count, const SHI_T *spheres,
+                                          const SHI_T *radiance, SHI_T *moments)
 {
-    return SHI_KN(shi_moments)(n, 3, point, count, spheres, radiance, moments);
+    return SHI_KN(shi_moments)(n, 3, channels, point, count, spheres, radiance, moments);
 }
-SHI_NOINLINE int SHI_KN(shi_moments_hessian)(int n, const SHI_T *point, size_t count, const SHI_T *spheres, const SHI_T *radiance, SHI_T *moments)
+SHI_NOINLINE int SHI_KN(shi_moments_hessian)(int n, int channels, const SHI_T *point, size_t count, const SHI_T *spheres,
+                                          const SHI_T *radiance, SHI_T *moments)
 {
-    return SHI_KN(shi_moments)(n, SHI_ALL_KINDS, point, count, spheres, radiance, moments);
+    return SHI_KN(shi_moments)(n, SHI_ALL_KINDS, channels, point, count, spheres, radiance, moments);
 }
 
 /* ================================================================================================================
@@ -2251,38 +2259,37 @@ SHI_INLINE void SHI_FN(shi_derive)(int n, const SHI_T *lower, const SHI_T *upper
     }
 }
 
-/* one point and channel; `work` holds 6 (n+2)^2 moments and 9 (n+1)^2 derivatives. Returns shi_moments' bits */
-SHI_INLINE int SHI_FN(shi_spheres_at)(int n, int planes, const SHI_T *point, size_t count, const SHI_T *spheres,
+/* one point; out[channels][planes][N], `work` holds 6 (n+2)^2 moments per channel and 9 (n+1)^2 derivatives. Returns shi_moments' bits */
+SHI_INLINE int SHI_FN(shi_spheres_at)(int n, int planes, int channels, const SHI_T *point, size_t count, const SHI_T *spheres,
                                       const SHI_T *radiance, SHI_T *work, SHI_T *out)
 {
-    const int size = n * n;
-    int flags, k;
-    if (planes == SH_VALUES) {
-        flags = SHI_WIDE(shi_moments_values)(n, point, count, spheres, radiance, work);
-        if (flags > 1) return flags;
-    } else if (planes == SH_GRADIENT) {
-        const int plane = (n + 1) * (n + 1);
-        flags = SHI_WIDE(shi_moments_gradient)(n, point, count, spheres, radiance, work);
-        if (flags > 1) return flags;
-        SHI_FN(shi_derive)(n, work + plane, work + 2 * plane, out + size, out + 2 * size, out + 3 * size);
-    } else {
-        const int plane = (n + 2) * (n + 2), wide = (n + 1) * (n + 1);
-        SHI_T *const below = work + 6 * plane, *const above = below + 3 * wide, *const unused = above + 3 * wide;
-        SHI_T *const h = out + 4 * size;
-        flags = SHI_WIDE(shi_moments_hessian)(n, point, count, spheres, radiance, work);
-        if (flags > 1) return flags;
-        SHI_FN(shi_derive)(n, work + plane, work + 2 * plane, out + size, out + 2 * size, out + 3 * size);
-        SHI_FN(shi_derive)(n - 1, work + 3 * plane, work + 4 * plane, below, below + wide, below + 2 * wide);
-        SHI_FN(shi_derive)(n + 1, work + 4 * plane, work + 5 * plane, above, above + wide, above + 2 * wide);
-        for (k = 0; k < 3; k++)                                 /* rows x, y, z: columns xx xy xz, - yy yz, - - zz */
-            SHI_FN(shi_derive)(n, below + k * wide, above + k * wide, k == 0 ? h : unused, k == 2 ? unused : h + (k ? 3 : 1) * size,
-                               h + (k == 0 ? 2 : k == 1 ? 4 : 5) * size);
+    const int size = n * n, extra = planes == SH_VALUES ? 0 : planes == SH_GRADIENT ? 1 : 2, plane = (n + extra) * (n + extra);
+    const int kinds = planes == SH_VALUES ? 1 : planes == SH_GRADIENT ? 3 : 6;
+    const int flags = planes == SH_VALUES   ? SHI_WIDE(shi_moments_values)(n, channels, point, count, spheres, radiance, work)
+                    : planes == SH_GRADIENT ? SHI_WIDE(shi_moments_gradient)(n, channels, point, count, spheres, radiance, work)
+                                            : SHI_WIDE(shi_moments_hessian)(n, channels, point, count, spheres, radiance, work);
+    SHI_T *const spare = work + channels * kinds * plane;
+    int channel, k;
+    if (flags > 1) return flags;
+    for (channel = 0; channel < channels; channel++, work += kinds * plane, out += planes * size) {
+        memcpy(out, work, (size_t)size * sizeof *out);
+        if (planes != SH_VALUES)
+            SHI_FN(shi_derive)(n, work + plane, work + 2 * plane, out + size, out + 2 * size, out + 3 * size);
+        if (planes == SH_HESSIAN) {
+            const int wide = (n + 1) * (n + 1);
+            SHI_T *const below = spare, *const above = below + 3 * wide, *const unused = above + 3 * wide, *const h = out + 4 * size;
+            SHI_FN(shi_derive)(n - 1, work + 3 * plane, work + 4 * plane, below, below + wide, below + 2 * wide);
+            SHI_FN(shi_derive)(n + 1, work + 4 * plane, work + 5 * plane, above, above + wide, above + 2 * wide);
+            for (k = 0; k < 3; k++)                             /* rows x, y, z: columns xx xy xz, - yy yz, - - zz */
+                SHI_FN(shi_derive)(n, below + k * wide, above + k * wide, k == 0 ? h : unused,
+                                   k == 2 ? unused : h + (k ? 3 : 1) * size, h + (k == 0 ? 2 : k == 1 ? 4 : 5) * size);
+        }
     }
-    memcpy(out, work, (size_t)size * sizeof *out);
     return flags;
 }
 
-SHI_INLINE int SHI_FN(shi_spheres_with)(int n, int planes, int channels, size_t points, const SHI_T *point,
+/* work holds `most` channels */
+SHI_INLINE int SHI_FN(shi_spheres_with)(int n, int planes, int channels, int most, size_t points, const SHI_T *point,
                                         const SHI_FN(sh_grid) *grid, size_t first, size_t count, const SHI_T *spheres,
                                         const SHI_T *radiance, SHI_T *work, SHI_T *out)
 {
@@ -2302,9 +2309,10 @@ SHI_INLINE int SHI_FN(shi_spheres_with)(int n, int planes, int channels, size_t 
             status = SH_ERROR_NOT_FINITE;
             continue;
         }
-        for (c = 0; c < channels; c++) {
-            const int flags = SHI_FN(shi_spheres_at)(n, planes, x, count, spheres, radiance ? radiance + (size_t)c * count : NULL,
-                                                     work, out + (p * (size_t)channels + (size_t)c) * block);
+        for (c = 0; c < channels; c += most) {
+            const int flags = SHI_FN(shi_spheres_at)(n, planes, channels - c < most ? channels - c : most, x, count, spheres,
+                                                     radiance ? radiance + (size_t)c * count : NULL, work,
+                                                     out + (p * (size_t)channels + (size_t)c) * block);
             if (flags & 2) return SH_ERROR_NOT_FINITE;
             if (flags & 4) return SH_ERROR_RADIUS;
             if (flags && status == SH_OK) status = SH_INSIDE;
@@ -2318,15 +2326,15 @@ SHI_NOINLINE int SHI_FN(shi_spheres_10)(int n, int planes, int channels, size_t 
                                         const SHI_FN(sh_grid) *grid, size_t first, size_t count, const SHI_T *spheres,
                                         const SHI_T *radiance, SHI_T *out)
 {
-    SHI_T work[6 * 12 * 12 + 9 * 11 * 11];
-    return SHI_FN(shi_spheres_with)(n, planes, channels, points, point, grid, first, count, spheres, radiance, work, out);
+    SHI_T work[3 * 6 * 12 * 12 + 9 * 11 * 11];
+    return SHI_FN(shi_spheres_with)(n, planes, channels, 3, points, point, grid, first, count, spheres, radiance, work, out);
 }
 SHI_NOINLINE int SHI_FN(shi_spheres_32)(int n, int planes, int channels, size_t points, const SHI_T *point,
                                         const SHI_FN(sh_grid) *grid, size_t first, size_t count, const SHI_T *spheres,
                                         const SHI_T *radiance, SHI_T *out)
 {
     SHI_T work[6 * 34 * 34 + 9 * 33 * 33];
-    return SHI_FN(shi_spheres_with)(n, planes, channels, points, point, grid, first, count, spheres, radiance, work, out);
+    return SHI_FN(shi_spheres_with)(n, planes, channels, 1, points, point, grid, first, count, spheres, radiance, work, out);
 }
 SHI_INLINE int SHI_FN(shi_spheres)(int n, int planes, int channels, size_t points, const SHI_T *point,
                                    const SHI_FN(sh_grid) *grid, size_t first, size_t count, const SHI_T *spheres,
@@ -2497,7 +2505,7 @@ SH_API int SHI_FN(sh_project_n)(int bands, size_t count, const SHI_T *dirs, cons
     if (count > SHI_MOST_ITEMS) return SH_ERROR_COUNT;
     if (shi_overlap(dirs, 3 * count * item, coeffs, size * item) || shi_overlap(weights, count * item, coeffs, size * item))
         return SH_ERROR_OVERLAP;
-    if (SHI_WIDE(shi_moments_values)(bands, NULL, count, dirs, weights, sum))
+    if (SHI_WIDE(shi_moments_values)(bands, 1, NULL, count, dirs, weights, sum))
         return SHI_FN(shi_finite)(dirs, 3 * count) ? SH_ERROR_DIRECTION : SH_ERROR_NOT_FINITE;
     memcpy(coeffs, sum, size * item);
     return SH_OK;
