@@ -1,5 +1,5 @@
 # examples/dispatch/: one binary for several instruction sets. Off x86 only the base object has anything to differ in.
-DISPATCH_X86   := $(if $(filter x86_64 i%86 amd64,$(shell $(CC) -dumpmachine | cut -d- -f1)),yes)
+DISPATCH_X86   := $(if $(filter x86_64 i%86 amd64,$(shell $(CC) -dumpmachine 2>/dev/null | cut -d- -f1)),yes)
 DISPATCH_base  :=
 DISPATCH_avx2  := $(if $(DISPATCH_X86),-mavx2 -mfma)
 DISPATCH_avx512 := $(if $(DISPATCH_X86),-mavx512f -mavx512vl -mfma)
