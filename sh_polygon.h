@@ -4,9 +4,11 @@
  *     #include "sh_polygon.h"       and sh_gradient.h beside it; nothing else
  *
  * WHICH CALL
- *     sh_polygon                          one polygon, one point: full accuracy at any distance, shape and angle
- *     sh_polygons, _n, _grid              sums of many with radiance per channel: the fast path, SIMD over points
- *     sh_polygon_within                   one polygon within a tolerance, by the cheapest representation that is proven to hold it
+ *     sh_polygon                          one polygon, one point: full accuracy at any distance, shape, angle
+ *     sh_polygons, _n, _grid              sums of many, radiance per channel: the fast path, SIMD over points,
+ *                                         needles and grazing lights near the point to an absolute error only
+ *     sh_polygon_within                   one polygon within a tolerance, by the cheapest representation that
+ *                                         is proven to hold it
  *     sh_triangle_as_sphere               M22's approximation of a triangle, with a bound of its error
  *     sh_polygon_solid_angle              solid angle and gradient
  *     sh_polygon_zonal                    integrals of P_l about one axis (WR18)
@@ -15,8 +17,9 @@
  *     docs/polygons.md compares them, with their derivations.
  *
  * CONVENTIONS
- *     as in sh_gradient.h; the light is unit radiance from every point of the polygon; gradients are by the shading point.
- *     A polygon is a closed, planar list of vertices, any number from 3, convex or not; the last joins the first.
+ *     as in sh_gradient.h; the light is unit radiance from every point of the polygon; gradients are by the
+ *     shading point. A polygon is a closed, planar list of vertices, any number from 3, convex or not; the
+ *     last joins the first.
  *     It need not be quite planar: what counts is the boundary, filled by the fan of triangles at vertex 0.
  *     front     the side from which the vertices run counter-clockwise
  *     sides     SH_BOTH positive from either side, SH_FRONT zero from behind, SH_SIGNED negative from behind
@@ -32,9 +35,9 @@
  *     and those of sh_gradient.h
  *
  * DOES NOT
- *     visibility, clipping at the horizon of a receiver, radiance that varies over a polygon other than by pieces
- *     sizes below 1e-60 of the extent: positions closer than that coincide. Finite input gives finite output: what overflows
- *     becomes the largest number.
+ *     visibility, clipping at the horizon of a receiver, radiance that varies over a polygon but by pieces
+ *     sizes below 1e-60 of the extent: positions closer than that coincide. Finite input gives finite output:
+ *     what overflows becomes the largest number.
  *
  * SOURCES
  *     WR18  Wang and Ramamoorthi 2018, analytic SH coefficients for polygonal area lights
@@ -55,7 +58,8 @@
 
 enum { SH_BOTH = 0, SH_FRONT = 1, SH_SIGNED = 2 };
 enum { SH_MAX_POLYGON_BANDS = 16 };
-enum { SH_USED_EXACT = 0, SH_USED_SPHERE = 1, SH_USED_CUBATURE = 2, SH_USED_SUBDIVISION = 3 };  /* sh_polygon_within */
+/* sh_polygon_within */
+enum { SH_USED_EXACT = 0, SH_USED_SPHERE = 1, SH_USED_CUBATURE = 2, SH_USED_SUBDIVISION = 3 };
 
 /* BEGIN tools/gen_lobes.py */
 /* Gauss-Legendre on [-1,1], nodes >= 0 and their weights: the n-point rule starts at n*n/4 */
@@ -3625,9 +3629,12 @@ static const double shi_weights_16[7936] = {
 SHI_INLINE int shi_gauss_count(double x, int tight)
 {
     static const double limit[3][16] = {
-        { 3.4e-5, 0.015, 0.135, 0.437, 0.932, 1.58, 2.37, 3.29, 4.31, 5.37, 6.55, 7.76, 9.01, 10.2, 11.6, 13.0 },
-        { 7e-9, 2.2e-4, 8.1e-3, 0.053, 0.173, 0.388, 0.712, 1.13, 1.67, 2.28, 2.98, 3.75, 4.62, 5.53, 6.49, 7.46 },
-        { 5.9e-4, 0.063, 0.347, 0.881, 1.62, 2.56, 3.59, 4.74, 5.89, 7.19, 8.59, 9.87, 11.3, 12.7, 14.3, 15.8 } };
+        { 3.4e-5, 0.015, 0.135, 0.437, 0.932, 1.58, 2.37, 3.29,
+          4.31, 5.37, 6.55, 7.76, 9.01, 10.2, 11.6, 13.0 },
+        { 7e-9, 2.2e-4, 8.1e-3, 0.053, 0.173, 0.388, 0.712, 1.13,
+          1.67, 2.28, 2.98, 3.75, 4.62, 5.53, 6.49, 7.46 },
+        { 5.9e-4, 0.063, 0.347, 0.881, 1.62, 2.56, 3.59, 4.74,
+          5.89, 7.19, 8.59, 9.87, 11.3, 12.7, 14.3, 15.8 } };
     int k = 1;
     while (k <= 16 && x > limit[tight][k - 1]) k++;
     return k;
@@ -3690,15 +3697,19 @@ SHI_INLINE void shi_two_cross(const shi_two a[3], const shi_two b[3], shi_two c[
 }
 SHI_INLINE shi_two shi_two_dot(const shi_two a[3], const shi_two b[3])
 {
-    return shi_two_add(shi_two_add(shi_two_times(a[0], b[0]), shi_two_times(a[1], b[1])), shi_two_times(a[2], b[2]));
+    return shi_two_add(shi_two_add(shi_two_times(a[0], b[0]), shi_two_times(a[1], b[1])),
+                       shi_two_times(a[2], b[2]));
 }
 
-SHI_NOINLINE int shi_polygon_engine(int bands, int sides, int tight, const double point[3], size_t count, const void *vertices,
-                                    int floats, double *coeffs, double *grad, double *fan_size);
-SHI_NOINLINE int shi_triangle_sphere(int bands, int sides, const double x[3], const double v[9], double *out, double *grad, double *error);
+SHI_NOINLINE int shi_polygon_engine(int bands, int sides, int tight, const double point[3], size_t count,
+                                    const void *vertices, int floats, double *coeffs, double *grad,
+                                    double *fan_size);
+SHI_NOINLINE int shi_triangle_sphere(int bands, int sides, const double x[3], const double v[9], double *out,
+                                     double *grad, double *error);
 
-SHI_NOINLINE int shi_within_engine(int bands, int sides, int tight, double tolerance, const double point[3], size_t count,
-                                   const void *vertices, int floats, double *out, double *grad, double *error, int *used);
+SHI_NOINLINE int shi_within_engine(int bands, int sides, int tight, double tolerance, const double point[3],
+                                   size_t count, const void *vertices, int floats, double *out, double *grad,
+                                   double *error, int *used);
 /* the double engine's parts that the float functions call before they are compiled */
 typedef struct {
     const void *vertices;
@@ -3706,11 +3717,13 @@ typedef struct {
     int floats;
     double point[3], scale;
 } shi_scene;
-SHI_NOINLINE int shi_polygon_zonal_engine(int bands, int tight, const double axis[3], const double point[3], size_t count,
-                                          const void *vertices, int floats, double *s, double *grad);
+SHI_NOINLINE int shi_polygon_zonal_engine(int bands, int tight, const double axis[3], const double point[3],
+                                          size_t count, const void *vertices, int floats, double *s,
+                                          double *grad);
 SHI_INLINE int  shi_zonal_edge(const shi_scene *scene, size_t i, double out[14]);
 SHI_INLINE void shi_zonal_steps(int n, double *steps);
-SHI_INLINE void shi_scene_open(shi_scene *scene, const double point[3], size_t count, const void *vertices, int floats);
+SHI_INLINE void shi_scene_open(shi_scene *scene, const double point[3], size_t count, const void *vertices,
+                               int floats);
 
 #define SHI_FILE SH_POLYGON_FILENAME
 #define SHI_ROOM SHI_INSTANTIATE
@@ -3730,7 +3743,8 @@ SHI_INLINE void SHI_FN(shi_fan_normal)(const SHI_T *a, const SHI_T *b, const SHI
 #if SHI_BITS == 32
     for (k = 0; k < 3; k++) {
         const int p = (k + 1) % 3, q = (k + 2) % 3;
-        n[k] = ((double)b[p] - (double)a[p]) * ((double)c[q] - (double)a[q]) - ((double)b[q] - (double)a[q]) * ((double)c[p] - (double)a[p]);
+        n[k] = ((double)b[p] - (double)a[p]) * ((double)c[q] - (double)a[q])
+             - ((double)b[q] - (double)a[q]) * ((double)c[p] - (double)a[p]);
     }
 #else
     shi_two d[3], e[3], f[3];
@@ -3743,7 +3757,8 @@ SHI_INLINE void SHI_FN(shi_fan_normal)(const SHI_T *a, const SHI_T *b, const SHI
 #endif
 }
 
-/* What a polygon is from everywhere: its mean vertex, its radius about that, normals of the fan (count-2; or NULL). */
+/* What a polygon is from everywhere: its mean vertex, its radius about that, normals of the fan (count-2; or
+ * NULL). */
 typedef struct { SHI_T center[3], radius; const double *normal; } SHI_FN(shi_shape);
 
 SHI_INLINE void SHI_FN(shi_measure)(size_t count, const SHI_T *v, double *normal, SHI_FN(shi_shape) *o)
@@ -3756,24 +3771,27 @@ SHI_INLINE void SHI_FN(shi_measure)(size_t count, const SHI_T *v, double *normal
     for (k = 0; k < 3; k++) o->center[k] = sum[k] / SHI_C(count);
     for (i = 0; i < count; i++) {
         SHI_T h = 0;
-        for (k = 0; k < 3; k++) h += (v[3 * i + (size_t)k] - o->center[k]) * (v[3 * i + (size_t)k] - o->center[k]);
+        for (k = 0; k < 3; k++)
+            h += (v[3 * i + (size_t)k] - o->center[k]) * (v[3 * i + (size_t)k] - o->center[k]);
         if (h > most) most = h;
     }
     o->radius = SHI_LIBM(sqrt)(most);
     o->normal = normal;
-    for (i = 1; normal && i + 1 < count; i++) SHI_FN(shi_fan_normal)(v, v + 3 * i, v + 3 * i + 3, normal + 3 * (i - 1));
+    for (i = 1; normal && i + 1 < count; i++)
+        SHI_FN(shi_fan_normal)(v, v + 3 * i, v + 3 * i + 3, normal + 3 * (i - 1));
 }
 /* ... of triangle 0, i, i+1 */
-SHI_INLINE const double *SHI_FN(shi_shape_normal)(const SHI_FN(shi_shape) *s, const SHI_T *v, size_t i, double own[3])
+SHI_INLINE const double *SHI_FN(shi_shape_normal)(const SHI_FN(shi_shape) *s, const SHI_T *v, size_t i,
+                                                  double own[3])
 {
     if (s->normal) return s->normal + 3 * (i - 1);
     SHI_FN(shi_fan_normal)(v, v + 3 * i, v + 3 * i + 3, own);
     return own;
 }
 
-/* Rules for small triangles, in barycentric coordinates of the second and third vertex, weights summing to 1/2: 1 point, 3
- * points (degree 2), 7 points (degree 5), then k x k Gauss points (degree 2k-2). `limit`: bands times angular diameter up
- * to which a rule keeps the bound. */
+/* Rules for small triangles, in barycentric coordinates of the second and third vertex, weights summing to
+ * 1/2: 1 point, 3 points (degree 2), 7 points (degree 5), then k x k Gauss points (degree 2k-2). `limit`:
+ * bands times angular diameter up to which a rule keeps the bound. */
 #define SHI_RULES (SHI_BITS == 32 ? 4 : 11)
 typedef struct {
     int made, start[12];
@@ -3787,11 +3805,11 @@ SHI_NOINLINE void SHI_FN(shi_make_rules)(SHI_FN(shi_rules) *r)
         { 0.16666666666666667, 0.16666666666666667, 0.16666666666666667 },
         { 0.66666666666666667, 0.16666666666666667, 0.16666666666666667 },
         { 0.16666666666666667, 0.66666666666666667, 0.16666666666666667 },
-        { 0.33333333333333333, 0.33333333333333333, 0.1125 },                       /* 9/80 */
-        { 0.10128650732345634, 0.10128650732345634, 0.06296959027241357 },          /* (6-sqrt 15)/21, (155-sqrt 15)/2400 */
+        { 0.33333333333333333, 0.33333333333333333, 0.1125 },                   /* 9/80 */
+        { 0.10128650732345634, 0.10128650732345634, 0.06296959027241357 },  /* (6-sqrt 15)/21, (155-sqrt 15)/2400 */
         { 0.79742698535308732, 0.10128650732345634, 0.06296959027241357 },
         { 0.10128650732345634, 0.79742698535308732, 0.06296959027241357 },
-        { 0.47014206410511509, 0.47014206410511509, 0.066197076394253095 },         /* (6+sqrt 15)/21, (155+sqrt 15)/2400 */
+        { 0.47014206410511509, 0.47014206410511509, 0.066197076394253095 }, /* (6+sqrt 15)/21, (155+sqrt 15)/2400 */
         { 0.05971587178976982, 0.47014206410511509, 0.066197076394253095 },
         { 0.47014206410511509, 0.05971587178976982, 0.066197076394253095 } };
     SHI_T *at = r->node;
@@ -3824,8 +3842,9 @@ SHI_NOINLINE void SHI_FN(shi_make_rules)(SHI_FN(shi_rules) *r)
 
 /* ---- node sums, and from sums to coefficients ---- */
 
-/* Sums over directions of q_l^m(z) U_m and q_l^m(z) V_m, with sh_gradient.h's monic q and (U + iV) = (-x - iy)^m: a basis
- * without its norms. Packed by columns: m first, then l = m .. n-1, then U, V; n bands take n(n+1) entries. */
+/* Sums over directions of q_l^m(z) U_m and q_l^m(z) V_m, with sh_gradient.h's monic q and (U + iV) = (-x -
+ * iy)^m: a basis without its norms. Packed by columns: m first, then l = m .. n-1, then U, V; n bands take
+ * n(n+1) entries. */
 #define SHI_COLUMN(n, m)   ((m) * (2 * (n) - (m) + 1))
 #define SHI_PACKED(n, l, m) (SHI_COLUMN(n, m) + 2 * ((l) - (m)))
 
@@ -3915,11 +3934,13 @@ SHI_KERNEL void SHI_KN(shi_polygon_sums_of)(int ns, int nt, int groups, const SH
 SHI_INLINE void SHI_KN(shi_polygon_sums)(int ns, int nt, int groups, const SHI_V *node, SHI_V *s, SHI_V *t)
 {
     switch (nt == ns + 1 ? nt : 0) {
-        SHI_SUMS_BOTH(3) SHI_SUMS_BOTH(4) SHI_SUMS_BOTH(5) SHI_SUMS_BOTH(6) SHI_SUMS_BOTH(7) SHI_SUMS_BOTH(8) SHI_SUMS_BOTH(9)
+        SHI_SUMS_BOTH(3) SHI_SUMS_BOTH(4) SHI_SUMS_BOTH(5) SHI_SUMS_BOTH(6)
+        SHI_SUMS_BOTH(7) SHI_SUMS_BOTH(8) SHI_SUMS_BOTH(9)
     default: break;
     }
     switch (nt == 0 ? ns : 0) {
-        SHI_SUMS_VALUE(2) SHI_SUMS_VALUE(3) SHI_SUMS_VALUE(4) SHI_SUMS_VALUE(5) SHI_SUMS_VALUE(6) SHI_SUMS_VALUE(7) SHI_SUMS_VALUE(8)
+        SHI_SUMS_VALUE(2) SHI_SUMS_VALUE(3) SHI_SUMS_VALUE(4) SHI_SUMS_VALUE(5) SHI_SUMS_VALUE(6)
+        SHI_SUMS_VALUE(7) SHI_SUMS_VALUE(8)
     default: break;
     }
     SHI_KN(shi_polygon_sums_of)(ns, nt, groups, node, s, t);
@@ -3939,7 +3960,8 @@ SHI_INLINE void SHI_KN(shi_polygon_sums)(int ns, int nt, int groups, const SHI_V
 /* x_k h_lm, h the monic basis: its part of degree l-1, times (2l-1)(2l+1); `t` holds bands n, packed */
 SHI_INLINE void SHI_KN(shi_polygon_below)(int n, int l, int m, int sine, const SHI_V *t, SHI_V out[3])
 {
-    const SHI_T down = SHI_C(0.5) * SHI_C((l + m) * (l + m - 1)), up = SHI_C(0.5) * SHI_C((l - m) * (l - m - 1));
+    const SHI_T down = SHI_C(0.5) * SHI_C((l + m) * (l + m - 1)),
+                up = SHI_C(0.5) * SHI_C((l - m) * (l - m - 1));
     const SHI_V zero = SHI_SPLAT(0);
     SHI_V c0 = zero, s0 = zero, c1 = zero, s1 = zero;
     out[2] = m < l ? SHI_C((l + m) * (l - m)) * t[SHI_PACKED(n, l - 1, m) + sine] : zero;
@@ -3970,7 +3992,8 @@ SHI_INLINE void SHI_KN(shi_polygon_above)(int n, int l, int m, int sine, const S
         out[0] = -c1;
         out[1] = -s1;
     } else {
-        const SHI_V c0 = t[SHI_PACKED(n, l + 1, m - 1)], s0 = m > 1 ? t[SHI_PACKED(n, l + 1, m - 1) + 1] : SHI_SPLAT(0);
+        const SHI_V c0 = t[SHI_PACKED(n, l + 1, m - 1)],
+                    s0 = m > 1 ? t[SHI_PACKED(n, l + 1, m - 1) + 1] : SHI_SPLAT(0);
         if (!sine) {
             out[0] = SHI_C(0.5) * (c0 - c1);
             out[1] = SHI_C(-0.5) * (s0 + s1);
@@ -3982,24 +4005,27 @@ SHI_INLINE void SHI_KN(shi_polygon_above)(int n, int l, int m, int sine, const S
 }
 
 /* out[planes][N] from totals:
- *     L_lm = value + (2l+1)/(l(l+1)) sum_k <x_k Y_lm, Y_{l-1}> flux_k       since mu.grad(r^l Y) is the edge flux of Y
+ *     L_lm = value + (2l+1)/(l(l+1)) sum_k <x_k Y_lm, Y_{l-1}> flux_k       since mu.grad(r^l Y) is the edge
+ *     flux of Y
  *     dL/dx_k = slope_k - (l-2) <x_k Y_lm, Y_{l-1}> ray + (l+3) <x_k Y_lm, Y_{l+1}> ray      from grad(Y/r^3)
  * brackets in the monic basis, where they are rational. surface = 0: value and ray are not read. */
 SHI_INLINE void SHI_KN(shi_polygon_finish)(int n, int planes, int surface, const SHI_V *totals, SHI_V *out)
 {
-    static const SHI_T part[17] = { 0, SHI_C(1) / 2, SHI_C(1) / 18, SHI_C(1) / 60, SHI_C(1) / 140, SHI_C(1) / 270,
-        SHI_C(1) / 462, SHI_C(1) / 728, SHI_C(1) / 1080, SHI_C(1) / 1530, SHI_C(1) / 2090, SHI_C(1) / 2772, SHI_C(1) / 3588,
-        SHI_C(1) / 4550, SHI_C(1) / 5670, SHI_C(1) / 6960, SHI_C(1) / 8432 };               /* 1/(l(l+1)(2l-1)) */
+    static const SHI_T part[17] = {                             /* 1/(l(l+1)(2l-1)) */
+        0, SHI_C(1) / 2, SHI_C(1) / 18, SHI_C(1) / 60, SHI_C(1) / 140, SHI_C(1) / 270, SHI_C(1) / 462,
+        SHI_C(1) / 728, SHI_C(1) / 1080, SHI_C(1) / 1530, SHI_C(1) / 2090, SHI_C(1) / 2772, SHI_C(1) / 3588,
+        SHI_C(1) / 4550, SHI_C(1) / 5670, SHI_C(1) / 6960, SHI_C(1) / 8432 };
     const SHI_V *const slope = totals + SHI_SLOPE_AT(n), *const ray = totals + SHI_RAY_AT(n);
     const int size = n * n, step = n * (n + 1), one = n * (n - 1), two = 2 * one;
     int l, m, sine, k;
     for (m = 0; m < n; m++) {
-        const SHI_V *to = slope + SHI_COLUMN(n, m), *low = totals + SHI_FLUX_AT(n) + (m ? SHI_COLUMN(n - 1, m - 1) : 0);
+        const SHI_V *to = slope + SHI_COLUMN(n, m),
+                    *low = totals + SHI_FLUX_AT(n) + (m ? SHI_COLUMN(n - 1, m - 1) : 0);
         const SHI_V *same = totals + SHI_FLUX_AT(n) + SHI_COLUMN(n - 1, m), *high = same + 2 * (n - 1 - m);
         for (l = m; l < n; l++) {
             const SHI_T norm = SHI_FN(shi_norm)[SHI_ROWS(l, m)], p = norm * part[l];
             SHI_V *const o = out + l * (l + 1);
-            SHI_V c = SHI_SPLAT(0), s = c;                      /* columns m - 1, m and m + 1 of degree l - 1 */
+            SHI_V c = SHI_SPLAT(0), s = c; /* columns m - 1, m and m + 1 of degree l - 1 */
             if (m > 0) {
                 const SHI_T down = p * (SHI_C(-0.5) * SHI_C((l + m) * (l + m - 1)));
                 c = down * (low[0] - low[one + 1]);
@@ -4048,7 +4074,8 @@ SHI_INLINE void SHI_KN(shi_polygon_finish)(int n, int planes, int surface, const
 
 /* ---- many points: lanes are points ---- */
 
-/* atan z, 0 <= z <= 1: float by 9 terms (relative error 1.8e-8), double after one half-angle step by 12 (1.3e-18).
+/* atan z, 0 <= z <= 1: float by 9 terms (relative error 1.8e-8), double after one half-angle step by 12
+ * (1.3e-18).
  * The terms are mpmath.chebyfit(lambda k: atan(sqrt(k))/sqrt(k), [0, 1 or tan(pi/8)^2], 9 or 12). */
 SHI_KERNEL SHI_V SHI_KN(shi_polygon_atan)(SHI_V z)
 {
@@ -4085,8 +4112,8 @@ SHI_KERNEL SHI_V SHI_KN(shi_polygon_angle)(SHI_V y, SHI_V x)
     return SHI_SELECT(x < SHI_SPLAT(0), SHI_C(3.14159265358979323846) - b, b);
 }
 
-/* sine and cosine of a in [0, pi/2]: mpmath.chebyfit of sin(sqrt(k))/sqrt(k) and cos(sqrt(k)) on [0, (pi/2)^2], 5 and 6
- * terms for float (errors 4.3e-9, 2.3e-10), 10 and 10 for double (7e-21) */
+/* sine and cosine of a in [0, pi/2]: mpmath.chebyfit of sin(sqrt(k))/sqrt(k) and cos(sqrt(k)) on [0,
+ * (pi/2)^2], 5 and 6 terms for float (errors 4.3e-9, 2.3e-10), 10 and 10 for double (7e-21) */
 SHI_KERNEL void SHI_KN(shi_polygon_turn)(SHI_V a, SHI_V *c, SHI_V *s)
 {
 #if SHI_BITS == 32
@@ -4100,9 +4127,9 @@ SHI_KERNEL void SHI_KN(shi_polygon_turn)(SHI_V a, SHI_V *c, SHI_V *s)
     static const double sines[10] = { 1.0, -0.16666666666666667, 0.008333333333333333, -0.0001984126984126967,
         2.7557319223940713e-6, -2.5052108378602197e-8, 1.6059043206300948e-10, -7.6471277399664175e-13,
         2.8102145350022103e-15, -7.9825189617838324e-18 };
-    static const double cosines[10] = { 1.0, -0.5, 0.04166666666666666, -0.001388888888888853, 2.4801587301492642e-5,
-        -2.755731920965447e-7, 2.0876755666578905e-9, -1.1470670165323271e-11, 4.7768722491448073e-14,
-        -1.5119827834217994e-16 };
+    static const double cosines[10] = { 1.0, -0.5, 0.04166666666666666, -0.001388888888888853,
+        2.4801587301492642e-5, -2.755731920965447e-7, 2.0876755666578905e-9, -1.1470670165323271e-11,
+        4.7768722491448073e-14, -1.5119827834217994e-16 };
 #endif
     const SHI_V k = a * a;
     SHI_V sine = SHI_SPLAT(sines[SINES - 1]), cosine = SHI_SPLAT(cosines[COSINES - 1]);
@@ -4149,23 +4176,27 @@ SHI_KERNEL void SHI_KN(shi_polygon_see)(const SHI_V x[3], const SHI_T *v, SHI_KN
     for (k = 0; k < 3; k++) o->w[k] = o->a[k] * o->inverse;
 }
 
-/* an edge seen from W points: the middle of its arc, the direction along it, its normal mu (0: seen end on), half its
- * angle; 1/|p| = k0 cos + k1 sin of the angle from the middle */
+/* an edge seen from W points: the middle of its arc, the direction along it, its normal mu (0: seen end on),
+ * half its angle; 1/|p| = k0 cos + k1 sin of the angle from the middle */
 typedef struct { SHI_V mid[3], along[3], mu[3], half, k0, k1; } SHI_KN(shi_arc_seen);
 
 /* Returns the cosine of the arc; marks lanes whose point lies on the edge in *bad. */
-SHI_KERNEL SHI_V SHI_KN(shi_polygon_arc)(const SHI_KN(shi_seen) *p, const SHI_KN(shi_seen) *q, const SHI_T e[3],
-                                         SHI_T end_on, SHI_T at_vertex, SHI_KN(shi_arc_seen) *o, SHI_M *bad)
+SHI_KERNEL SHI_V SHI_KN(shi_polygon_arc)(const SHI_KN(shi_seen) *p, const SHI_KN(shi_seen) *q,
+                                         const SHI_T e[3], SHI_T end_on, SHI_T at_vertex,
+                                         SHI_KN(shi_arc_seen) *o, SHI_M *bad)
 {
     const SHI_V *const a = p->a, *const b = q->a, *const w = p->w, zero = SHI_SPLAT(0), one = SHI_SPLAT(1);
     const SHI_T least = SHI_BITS == 32 ? SHI_C(1e-37) : SHI_C(1e-300 * (SHI_BITS == 64));
-    const SHI_V nx = a[1] * e[2] - a[2] * e[1], ny = a[2] * e[0] - a[0] * e[2], nz = a[0] * e[1] - a[1] * e[0];
+    const SHI_V nx = a[1] * e[2] - a[2] * e[1], ny = a[2] * e[0] - a[0] * e[2],
+                nz = a[0] * e[1] - a[1] * e[0];
     const SHI_V dot = a[0] * b[0] + a[1] * b[1] + a[2] * b[2], both = p->inverse * q->inverse;
     const SHI_V n2 = nx * nx + ny * ny + nz * nz, cross = SHI_ABS(nx) + SHI_ABS(ny) + SHI_ABS(nz);
     const SHI_M seen = (SHI_M)(n2 > SHI_SPLAT(least));
     const SHI_V inverse = SHI_SELECT(seen, one, zero) / SHI_SQRT(SHI_SELECT(seen, n2, one));
-    const SHI_V c = dot * both, s = n2 * inverse * both, far = one + SHI_ABS(c);    /* cosine and sine of the arc */
-    const SHI_V r = SHI_SQRT(SHI_C(0.5) * far), other = SHI_C(0.5) * s / r, h = SHI_KN(shi_polygon_atan)(s / far);
+    const SHI_V c = dot * both, s = n2 * inverse * both,
+                far = one + SHI_ABS(c); /* cosine and sine of the arc */
+    const SHI_V r = SHI_SQRT(SHI_C(0.5) * far), other = SHI_C(0.5) * s / r,
+                h = SHI_KN(shi_polygon_atan)(s / far);
     const SHI_M wide = (SHI_M)(c < zero);
     const SHI_V ch = SHI_SELECT(wide, other, r), sh = SHI_SELECT(wide, r, other);
     SHI_V la[3], k1;
@@ -4189,16 +4220,18 @@ SHI_KERNEL SHI_V SHI_KN(shi_polygon_arc)(const SHI_KN(shi_seen) *p, const SHI_KN
     return c;
 }
 
-/* Sums along an arc, for the lanes of `wide`: s[l < ns] of Y dt, t[l < nt] of Y/|p| dt. The nodes come in pairs about the
- * middle, as many as the longest arc needs. */
-SHI_KERNEL void SHI_KN(shi_polygon_arc_sums)(int n, int ns, int nt, const SHI_KN(shi_arc_seen) *arc, SHI_M wide, SHI_V *s,
-                                             SHI_V *t)
+/* Sums along an arc, for the lanes of `wide`: s[l < ns] of Y dt, t[l < nt] of Y/|p| dt. The nodes come in
+ * pairs about the middle, as many as the longest arc needs. */
+SHI_KERNEL void SHI_KN(shi_polygon_arc_sums)(int n, int ns, int nt, const SHI_KN(shi_arc_seen) *arc,
+                                             SHI_M wide, SHI_V *s, SHI_V *t)
 {
     static const SHI_T limit[8] = {                             /* shi_gauss_count's, of 2, 4 .. 16 nodes */
 #if SHI_BITS == 32
-        SHI_C(0.063), SHI_C(0.881), SHI_C(2.56), SHI_C(4.74), SHI_C(7.19), SHI_C(9.87), SHI_C(12.7), SHI_C(15.8) };
+        SHI_C(0.063), SHI_C(0.881), SHI_C(2.56), SHI_C(4.74),
+        SHI_C(7.19), SHI_C(9.87), SHI_C(12.7), SHI_C(15.8) };
 #else
-        SHI_C(2.2e-4), SHI_C(0.053), SHI_C(0.388), SHI_C(1.13), SHI_C(2.28), SHI_C(3.75), SHI_C(5.53), SHI_C(7.46) };
+        SHI_C(2.2e-4), SHI_C(0.053), SHI_C(0.388), SHI_C(1.13),
+        SHI_C(2.28), SHI_C(3.75), SHI_C(5.53), SHI_C(7.46) };
 #endif
     const SHI_V half = arc->half, reach = SHI_SELECT(wide, SHI_C(n) * half, SHI_SPLAT(0));
     SHI_V node[SHI_KN(shi_nodes_at_once) * 5];
@@ -4269,7 +4302,7 @@ SHI_INLINE SHI_V SHI_KN(shi_polygon_turning)(const SHI_V x[3], size_t count, con
     size_t i;
     int k;
     for (k = 0; k < 3; k++) first[k] = before[k] = corner[k] = zero;
-    for (i = 0; i <= count; i++) {                              /* at vertex i, between the last edge seen and this one */
+    for (i = 0; i <= count; i++) { /* at vertex i, between the last edge seen and this one */
         const SHI_T *from = v + 3 * (i < count ? i : 0), *to = i + 1 < count ? v + 3 * i + 3 : v;
         SHI_KN(shi_seen) a;
         SHI_T e[3];
@@ -4278,7 +4311,8 @@ SHI_INLINE SHI_V SHI_KN(shi_polygon_turning)(const SHI_V x[3], size_t count, con
         if (i < count) {
             SHI_KN(shi_polygon_see)(x, from, &a);
             for (k = 0; k < 3; k++) e[k] = to[k] - from[k];
-            for (k = 0; k < 3; k++) mu[k] = a.a[(k + 1) % 3] * e[(k + 2) % 3] - a.a[(k + 2) % 3] * e[(k + 1) % 3];
+            for (k = 0; k < 3; k++)
+                mu[k] = a.a[(k + 1) % 3] * e[(k + 2) % 3] - a.a[(k + 2) % 3] * e[(k + 1) % 3];
             n2 = mu[0] * mu[0] + mu[1] * mu[1] + mu[2] * mu[2];
             seen = (SHI_M)(n2 > SHI_SPLAT(least));
             inverse = one / SHI_SQRT(SHI_SELECT(seen, n2, one));
@@ -4291,10 +4325,11 @@ SHI_INLINE SHI_V SHI_KN(shi_polygon_turning)(const SHI_V x[3], size_t count, con
             }
         }
         start = seen & SHI_NOT(any);
-        for (k = 0; k < 3; k++) c[k] = before[(k + 1) % 3] * mu[(k + 2) % 3] - before[(k + 2) % 3] * mu[(k + 1) % 3];
+        for (k = 0; k < 3; k++)
+            c[k] = before[(k + 1) % 3] * mu[(k + 2) % 3] - before[(k + 2) % 3] * mu[(k + 1) % 3];
         y = a.w[0] * c[0] + a.w[1] * c[1] + a.w[2] * c[2];
         z = before[0] * mu[0] + before[1] * mu[1] + before[2] * mu[2];
-        tc = turn_c * z - turn_s * y;                           /* angles add up in the argument, modulo 2 pi */
+        tc = turn_c * z - turn_s * y; /* angles add up in the argument, modulo 2 pi */
         ts = turn_s * z + turn_c * y;
         turn_c = SHI_SELECT(seen & any, tc, turn_c);
         turn_s = SHI_SELECT(seen & any, ts, turn_s);
@@ -4314,23 +4349,24 @@ SHI_INLINE SHI_V SHI_KN(shi_polygon_turning)(const SHI_V x[3], size_t count, con
     return exact;
 }
 
-/* Adds the light of one polygon, times radiance[c], at W points x to totals + c SHI_TOTALS and omega[c], c < channels. Lanes
- * where the point lies in the polygon's plane or on an edge, or where lengths leave the range of T, add nothing and are
- * marked in *hard: for the engine. Small lights: rules over the fan in the plane; others: nodes along the edges. A vector
- * of points that mixes both runs both. work: SHI_POLYGON_SUMS(n) vectors. *surface: whether the surface's totals hold
- * anything; until then they are not even cleared. */
-#define SHI_ARCS 8                                          /* edges whose sums wait for each other, as `work` has room */
+/* Adds the light of one polygon, times radiance[c], at W points x to totals + c SHI_TOTALS and omega[c], c <
+ * channels. Lanes where the point lies in the polygon's plane or on an edge, or where lengths leave the range
+ * of T, add nothing and are marked in *hard: for the engine. Small lights: rules over the fan in the plane;
+ * others: nodes along the edges. A vector of points that mixes both runs both. work: SHI_POLYGON_SUMS(n)
+ * vectors. *surface: whether the surface's totals hold anything; until then they are not even cleared. */
+#define SHI_ARCS 8                          /* edges whose sums wait for each other, as `work` has room */
 #define SHI_POLYGON_SUMS(n) ((n) <= 10 ? 800 : 4 * (n) * (n))
-SHI_INLINE void SHI_KN(shi_polygon_block)(int n, int planes, int sides, SHI_FN(shi_rules) *rules, const SHI_V points[3],
-                                          const SHI_FN(shi_shape) *shape, size_t count, const SHI_T *v, int channels,
-                                          const SHI_T *radiance, SHI_V *totals,
+SHI_INLINE void SHI_KN(shi_polygon_block)(int n, int planes, int sides, SHI_FN(shi_rules) *rules,
+                                          const SHI_V points[3], const SHI_FN(shi_shape) *shape, size_t count,
+                                          const SHI_T *v, int channels, const SHI_T *radiance, SHI_V *totals,
                                           SHI_V *omega, int *surface, SHI_M *hard, SHI_V *work)
 {
     static const double limits[2][11] = {
         { 4e-4, 0.02, 0.7, 1.4 },
         { 1e-8, 1e-5, 4e-3, 0.02, 0.06, 0.15, 0.3, 0.55, 0.9, 1.3, 1.8 } };
     const SHI_V zero = SHI_SPLAT(0), one = SHI_SPLAT(1);
-    const SHI_T biggest = SHI_BITS == 32 ? SHI_C(1e8) : SHI_C(1e75), smallest = SHI_BITS == 32 ? SHI_C(1e-6) : 1 / biggest;
+    const SHI_T biggest = SHI_BITS == 32 ? SHI_C(1e8) : SHI_C(1e75),
+                smallest = SHI_BITS == 32 ? SHI_C(1e-6) : 1 / biggest;
     SHI_T end_on, at_vertex;                                /* |A x E|, |A| that count as 0 */
     const int gradient = planes >= SH_GRADIENT, slope = n * (n + 1), flux = n * (n - 1);
     SHI_V x[3], d2, dist, volume = zero, sign, factor, wide_factor = zero, size, dets[SHI_ARCS];
@@ -4351,11 +4387,13 @@ SHI_INLINE void SHI_KN(shi_polygon_block)(int n, int planes, int sides, SHI_FN(s
     dist = SHI_SQRT(d2);
     bad = SHI_NOT((SHI_M)((dist < biggest) & (dist > smallest)));
     dist = SHI_SELECT(bad, SHI_SPLAT(radius), dist);
-    for (k = 0; k < 3; k++)                                 /* such lanes compute something finite, and add nothing */
+    for (k = 0; k < 3; k++) /* such lanes compute something finite, and add nothing */
         x[k] = SHI_SELECT(bad, SHI_SPLAT(center[k] + radius), points[k]);
     size = dist - SHI_C(4) * radius;
     small = (SHI_M)(size > zero);
-    size = SHI_SELECT(small, SHI_C(2 * (n + 1)) * radius / (dist - SHI_SELECT(small, SHI_SPLAT(radius), zero)), SHI_SPLAT(100));
+    size = SHI_SELECT(small,
+                      SHI_C(2 * (n + 1)) * radius / (dist - SHI_SELECT(small, SHI_SPLAT(radius), zero)),
+                      SHI_SPLAT(100));
     small &= (SHI_M)(size < SHI_C(limits[SHI_BITS == 64][SHI_RULES - 1]));
 
     for (i = 1; i + 1 < count; i++) {                       /* the side */
@@ -4373,7 +4411,8 @@ SHI_INLINE void SHI_KN(shi_polygon_block)(int n, int planes, int sides, SHI_FN(s
         SHI_V m[3 * SHI_ARCS];
         SHI_KN(shi_arc_seen) arcs[SHI_ARCS];
         int pass;
-        /* points on an edge must be known before anything is added: once around for that if not all edges fit at once */
+        /* points on an edge must be known before anything is added: once around for that if not all edges fit
+         * at once */
         for (pass = count > (size_t)most ? 0 : 1; pass < 2; pass++) {
             SHI_V cos0b = zero, fan_c = one, fan_s = zero, sum = zero, least = one;
             SHI_KN(shi_seen) first, a, b;
@@ -4405,7 +4444,7 @@ SHI_INLINE void SHI_KN(shi_polygon_block)(int n, int planes, int sides, SHI_FN(s
                     if (i == 1) {
                         fan_c = even;
                         fan_s = odd;
-                    } else if (count == 4) {                /* two halves of less than pi: their product's argument */
+                    } else if (count == 4) { /* two halves of less than pi: their product's argument */
                         const SHI_V real = fan_c * even - fan_s * odd;
                         fan_s = fan_c * odd + fan_s * even;
                         fan_c = real;
@@ -4422,8 +4461,8 @@ SHI_INLINE void SHI_KN(shi_polygon_block)(int n, int planes, int sides, SHI_FN(s
                 for (l = 0; l < fill * flux; l++) work[l] = zero;
                 for (l = 0; gradient && l < fill * slope; l++) t[l] = zero;
                 for (e = 0; e < fill; e++)
-                    SHI_KN(shi_polygon_arc_sums)(n, n - 1, gradient ? n : 0, &arcs[e], SHI_NOT(bad | small), work + e * flux,
-                                                 t + e * slope);
+                    SHI_KN(shi_polygon_arc_sums)(n, n - 1, gradient ? n : 0, &arcs[e], SHI_NOT(bad | small),
+                                                 work + e * flux, t + e * slope);
                 for (c = 0; c < channels; c++) {
                     SHI_V *const to_c = totals + c * SHI_TOTALS(n);
                     const SHI_V f = radiance[c] * wide_factor;
@@ -4439,9 +4478,11 @@ SHI_INLINE void SHI_KN(shi_polygon_block)(int n, int planes, int sides, SHI_FN(s
                 const SHI_V solid = SHI_C(2) * SHI_KN(shi_polygon_angle)(SHI_ABS(fan_s), fan_c);
                 sum += SHI_SELECT(fan_s < zero, -solid, solid);
             }
-            /* the fan is relatively exact but near its sides' planes, where the sides are long and turn well-defined angles */
+            /* the fan is relatively exact but near its sides' planes, where the sides are long and turn
+             * well-defined angles */
             if (SHI_ANY(SHI_NOT(bad | small) & (SHI_M)(least <= SHI_SPLAT(SHI_C(0.25)))))
-                sum = SHI_SELECT((SHI_M)(least > SHI_SPLAT(SHI_C(0.25))), sum, SHI_KN(shi_polygon_turning)(x, count, v, sum));
+                sum = SHI_SELECT((SHI_M)(least > SHI_SPLAT(SHI_C(0.25))), sum,
+                                 SHI_KN(shi_polygon_turning)(x, count, v, sum));
             for (c = 0; c < channels; c++) omega[c] += (radiance[c] * wide_factor) * sum;
         }
     }
@@ -4499,7 +4540,8 @@ SHI_INLINE void SHI_KN(shi_polygon_block)(int n, int planes, int sides, SHI_FN(s
             for (c = 0; c < channels; c++) {
                 SHI_V *const value = totals + c * SHI_TOTALS(n), *const out = value + SHI_SLOPE_AT(n);
                 SHI_V *const ray = value + SHI_RAY_AT(n);
-                const SHI_T r = radiance[c], nx = r * (SHI_T)n2[0], ny = r * (SHI_T)n2[1], nz = r * (SHI_T)n2[2];
+                const SHI_T r = radiance[c], nx = r * (SHI_T)n2[0], ny = r * (SHI_T)n2[1],
+                            nz = r * (SHI_T)n2[2];
                 const SHI_V d = r * det;
                 for (l = 0; l < slope; l++) value[l] += d * s[l];
                 if (!gradient) continue;
@@ -4517,14 +4559,19 @@ SHI_INLINE void SHI_KN(shi_polygon_block)(int n, int planes, int sides, SHI_FN(s
 
 /* ---- WR18: lanes are zonal lobes ---- */
 
-/* Adds one edge's integrals about the axes dir: s[l] += c D_l/(l(l+1)), l >= 1, and with g: g[axis][l] += mu G_l (planes of n).
- * edge: w lambda mu (3 each), gamma, cos gamma, sin gamma, k0, k1. steps[l] = { 1/l^2, 1/(l(l+1)), 1/(l+1), (2l-1)/l, (l-1)/l }.
+/* Adds one edge's integrals about the axes dir: s[l] += c D_l/(l(l+1)), l >= 1, and with g: g[axis][l] += mu
+ * G_l (planes of n).
+ * edge: w lambda mu (3 each), gamma, cos gamma, sin gamma, k0, k1. steps[l] = { 1/l^2, 1/(l(l+1)), 1/(l+1),
+ * (2l-1)/l, (l-1)/l }.
  * Source: WR18 Eq. 20, 30-32 with -c^2 for a^2+b^2-1, and without S_{l-2}: S_l = sum c D_l/(l(l+1)). */
-SHI_INLINE void SHI_KN(shi_polygon_zonal_edge)(int n, const SHI_V dir[3], const SHI_T *edge, const SHI_T *steps, SHI_V *s, SHI_V *g)
+SHI_INLINE void SHI_KN(shi_polygon_zonal_edge)(int n, const SHI_V dir[3], const SHI_T *edge,
+                                               const SHI_T *steps, SHI_V *s, SHI_V *g)
 {
-    const SHI_T *const w = edge, *const la = edge + 3, *const mu = edge + 6, gamma = edge[9], co = edge[10], si = edge[11], k0 = edge[12], k1 = edge[13];
+    const SHI_T *const w = edge, *const la = edge + 3, *const mu = edge + 6, gamma = edge[9], co = edge[10],
+                       si = edge[11], k0 = edge[12], k1 = edge[13];
     const SHI_T end0 = -k1, end1 = k0 * si - k1 * co;           /* K(0), K(gamma) */
-    const SHI_V a = dir[0] * w[0] + dir[1] * w[1] + dir[2] * w[2], b = dir[0] * la[0] + dir[1] * la[1] + dir[2] * la[2];
+    const SHI_V a = dir[0] * w[0] + dir[1] * w[1] + dir[2] * w[2],
+                b = dir[0] * la[0] + dir[1] * la[1] + dir[2] * la[2];
     const SHI_V c = dir[0] * mu[0] + dir[1] * mu[1] + dir[2] * mu[2];
     const SHI_V z0 = a, z1 = a * co + b * si, d0 = b, d1 = b * co - a * si, cc = c * c, kk = k0 * a + k1 * b;
     SHI_V p0 = SHI_SPLAT(0), q0 = SHI_SPLAT(1), p1 = p0, q1 = q0;       /* P_{l-1}, P_l at z0 and z1 */
@@ -4536,10 +4583,12 @@ SHI_INLINE void SHI_KN(shi_polygon_zonal_edge)(int n, const SHI_V dir[3], const 
         g[2 * n] += mu[2] * gl;
     }
     for (l = 1; l < n; l++) {
-        /* on entry: q = P_{l-1}, p = P_{l-2}; b1 = B_{l-1}, b0 = B_{l-2}; e1 = D_{l-1}, e0 = D_{l-2}; h1 = H_{l-1}, h0 = H_{l-2} */
+        /* on entry: q = P_{l-1}, p = P_{l-2}; b1 = B_{l-1}, b0 = B_{l-2}; e1 = D_{l-1}, e0 = D_{l-2}; h1 =
+         * H_{l-1}, h0 = H_{l-2} */
         const SHI_T *const k = steps + 5 * l;
         const SHI_V d = e0 + SHI_C(2 * l - 1) * b1;
-        const SHI_V t = k[0] * (SHI_C(2 * l - 1) * (d0 * q0 - d1 * q1 - cc * e1) + SHI_C((l - 1) * (l - 1)) * b0);
+        const SHI_V t = k[0]
+                      * (SHI_C(2 * l - 1) * (d0 * q0 - d1 * q1 - cc * e1) + SHI_C((l - 1) * (l - 1)) * b0);
         SHI_V r = k[3] * (z0 * q0) - k[4] * p0;
         p0 = q0;
         q0 = r;
@@ -4564,13 +4613,15 @@ SHI_INLINE void SHI_KN(shi_polygon_zonal_edge)(int n, const SHI_V dir[3], const 
 }
 
 /* out[i] = sum_d weights[i][d] s[l(i)][d], d padded to vectors: WR18 Eq. 33 */
-SHI_INLINE void SHI_KN(shi_polygon_lobe_sum)(int n, int vectors, const SHI_T *weights, const SHI_V *s, SHI_T *out)
+SHI_INLINE void SHI_KN(shi_polygon_lobe_sum)(int n, int vectors, const SHI_T *weights, const SHI_V *s,
+                                             SHI_T *out)
 {
     int l, i, d;
     for (l = 0; l < n; l++)
         for (i = l * l; i < (l + 1) * (l + 1); i++) {
             SHI_V sum = SHI_SPLAT(0);
-            for (d = 0; d < vectors; d++) sum += SHI_LOAD(weights + (i * vectors + d) * SHI_W) * s[d * 4 * n + l];
+            for (d = 0; d < vectors; d++)
+                sum += SHI_LOAD(weights + (i * vectors + d) * SHI_W) * s[d * 4 * n + l];
             out[i] = SHI_SUM(sum);
         }
 }
@@ -4592,13 +4643,15 @@ SHI_INLINE void shi_cross3(const double a[3], const double b[3], double c[3])
     c[2] = a[0] * b[1] - a[1] * b[0];
 }
 
-/* ---- the polygon as the engine sees it: everything times a power of two that makes its extent about 1 ---- */
+/* ---- the polygon as the engine sees it: everything times a power of two that makes its extent about 1
+ * ---- */
 
 SHI_INLINE double shi_scene_read(const shi_scene *p, size_t i)
 {
     return p->floats ? (double)((const float *)p->vertices)[i] : ((const double *)p->vertices)[i];
 }
-SHI_INLINE void shi_scene_open(shi_scene *scene, const double point[3], size_t count, const void *vertices, int floats)
+SHI_INLINE void shi_scene_open(shi_scene *scene, const double point[3], size_t count, const void *vertices,
+                               int floats)
 {
     double extent = 0;
     size_t i;
@@ -4627,17 +4680,19 @@ SHI_INLINE shi_two shi_scene_difference(double a, double b)
 SHI_INLINE void shi_scene_vertex(const shi_scene *p, size_t i, shi_two v[3])
 {
     int k;
-    for (k = 0; k < 3; k++) v[k] = shi_scene_difference(p->scale * shi_scene_read(p, 3 * i + (size_t)k), p->scale * p->point[k]);
+    for (k = 0; k < 3; k++)
+        v[k] = shi_scene_difference(p->scale * shi_scene_read(p, 3 * i + (size_t)k), p->scale * p->point[k]);
 }
 SHI_INLINE void shi_scene_edge(const shi_scene *p, size_t i, size_t j, shi_two e[3])
 {
     int k;
     for (k = 0; k < 3; k++)
-        e[k] = shi_scene_difference(p->scale * shi_scene_read(p, 3 * j + (size_t)k), p->scale * shi_scene_read(p, 3 * i + (size_t)k));
+        e[k] = shi_scene_difference(p->scale * shi_scene_read(p, 3 * j + (size_t)k),
+                                    p->scale * shi_scene_read(p, 3 * i + (size_t)k));
 }
 
-/* Edge i -> i+1 from A to B: N = A x (B-A) and what MATH calls w, lambda, mu, gamma, k0, k1. 0 if it is seen as a point;
- * -1 if the point lies on it. */
+/* Edge i -> i+1 from A to B: N = A x (B-A) and what MATH calls w, lambda, mu, gamma, k0, k1. 0 if it is seen
+ * as a point; -1 if the point lies on it. */
 typedef struct {
     double w[3], lambda[3], mu[3], gamma, k0, k1, dot, normal[3];
 } shi_arc;
@@ -4683,7 +4738,8 @@ SHI_INLINE int shi_scene_arc(const shi_scene *p, size_t i, shi_arc *e)
 typedef struct {
     int ns, nt, tight, fill;
     double node[SHI_SINK_GROUPS * 5 * SHI_MANY(shi_polygon_lanes)];
-    SHI_MANY(shi_vector) s[(SHI_POLYGON_BANDS + 1) * (SHI_POLYGON_BANDS + 2)], t[(SHI_POLYGON_BANDS + 1) * (SHI_POLYGON_BANDS + 2)];
+    SHI_MANY(shi_vector) s[(SHI_POLYGON_BANDS + 1) * (SHI_POLYGON_BANDS + 2)];
+    SHI_MANY(shi_vector) t[(SHI_POLYGON_BANDS + 1) * (SHI_POLYGON_BANDS + 2)];
 } shi_sink;
 
 SHI_NOINLINE void shi_sink_flush(shi_sink *k)
@@ -4728,7 +4784,8 @@ SHI_INLINE void shi_arc_nodes(shi_sink *sink, int bands, const shi_arc *e)
     for (p = 0; p < panels; p++) {
         for (i = 0; i < n; i++) {
             double w, u[3];
-            const double t = shi_gauss_node(n, i, &w), a = e->gamma * (p + t) / panels, c = cos(a), s = sin(a);
+            const double t = shi_gauss_node(n, i, &w), a = e->gamma * (p + t) / panels, c = cos(a),
+                         s = sin(a);
             for (k = 0; k < 3; k++) u[k] = c * e->w[k] + s * e->lambda[k];
             w *= e->gamma / panels;
             shi_sink_put(sink, u, w, w * (c * e->k0 + s * e->k1));
@@ -4749,7 +4806,8 @@ SHI_INLINE double shi_corner_angle(const shi_corner *a, const shi_corner *b)
     shi_cross3(a->v, b->v, c);
     return atan2(sqrt(shi_dot3(c, c)), shi_dot3(a->v, b->v));
 }
-/* the corner between a and b; returns |a + b| of their directions, of full relative accuracy near opposite ones */
+/* the corner between a and b; returns |a + b| of their directions, of full relative accuracy near opposite
+ * ones */
 SHI_INLINE double shi_corner_middle(const shi_corner *a, const shi_corner *b, shi_corner *middle)
 {
     double d[3], size, chord;
@@ -4772,7 +4830,7 @@ SHI_INLINE double shi_corner_middle(const shi_corner *a, const shi_corner *b, sh
             shi_cross3(d, u, middle->v);
             for (k = 0; k < 3; k++) middle->v[k] /= length * chord;
             done = 1;
-            size = 2 * (largest * a->v[3]) * (length * b->v[3]) / chord;        /* 2 cos(g/2) = sin g / sin(g/2) */
+            size = 2 * (largest * a->v[3]) * (length * b->v[3]) / chord; /* 2 cos(g/2) = sin g / sin(g/2) */
         }
     }
     if (!(size > 1e-200)) size = 1;                         /* opposite beyond all digits: anything finite */
@@ -4786,10 +4844,12 @@ SHI_INLINE double shi_corner_middle(const shi_corner *a, const shi_corner *b, sh
     return size;
 }
 
-/* Directions p(s,u) of the triangle c, a, b: q(s) along the arc a-b, then from c towards q with 1 - cos = u^2 (1 - cos d).
- * The solid angle is  det(c,a,b) (gamma/sin gamma) ds 2u du / (1 + cos d), smooth and positive: no relative error but
- * that of the determinant `det`, which the caller has to full accuracy. Long arcs are halved. */
-SHI_NOINLINE void shi_triangle_nodes(shi_sink *sink, const shi_corner *c0, const shi_corner *c1, const shi_corner *c2, double det, int depth)
+/* Directions p(s,u) of the triangle c, a, b: q(s) along the arc a-b, then from c towards q with 1 - cos = u^2
+ * (1 - cos d).
+ * The solid angle is  det(c,a,b) (gamma/sin gamma) ds 2u du / (1 + cos d), smooth and positive: no relative
+ * error but that of the determinant `det`, which the caller has to full accuracy. Long arcs are halved. */
+SHI_NOINLINE void shi_triangle_nodes(shi_sink *sink, const shi_corner *c0, const shi_corner *c1,
+                                     const shi_corner *c2, double det, int depth)
 {
     const shi_corner *p[3];
     double g[3];
@@ -4819,16 +4879,18 @@ SHI_NOINLINE void shi_triangle_nodes(shi_sink *sink, const shi_corner *c0, const
     }
     {
         const double *const c = p[w]->v, *const a = p[(w + 1) % 3]->v, *const b = p[(w + 2) % 3]->v;
-        const double gamma = g[w], sine = gamma > 1e-8 ? sin(gamma) : 1, ratio = gamma > 1e-8 ? gamma / sine : 1;
+        const double gamma = g[w], sine = gamma > 1e-8 ? sin(gamma) : 1,
+                     ratio = gamma > 1e-8 ? gamma / sine : 1;
         for (i = 0; i < n1; i++) {
             double weight, q[4], cosine, gap = 0;
             const double s = shi_gauss_node(n1, i, &weight);
-            const double at = gamma > 1e-8 ? sin((1 - s) * gamma) / sine : 1 - s, bt = gamma > 1e-8 ? sin(s * gamma) / sine : s;
+            const double at = gamma > 1e-8 ? sin((1 - s) * gamma) / sine : 1 - s,
+                         bt = gamma > 1e-8 ? sin(s * gamma) / sine : s;
             for (k = 0; k < 4; k++) q[k] = at * a[k] + bt * b[k];
             for (k = 0; k < 3; k++) gap += (q[k] - c[k]) * (q[k] - c[k]);
             gap *= 0.5;                                                     /* 1 - cos d */
             cosine = shi_dot3(c, q);
-            if (!(cosine > -0.9 && gap < 1.9)) continue;                    /* only where halving found no end */
+            if (!(cosine > -0.9 && gap < 1.9)) continue; /* only where halving found no end */
             weight *= det * ratio / (1 + cosine);
             for (j = 0; j < n2; j++) {
                 double v, u[4];
@@ -4854,14 +4916,17 @@ SHI_INLINE void shi_sink_add(shi_sink *sink, double *s_out, double *t_out)
 
 /* Coefficients (and gradient, if grad) in double, of exact positions. tight: 0 leaves 2e-10, 1 leaves 1e-16.
  * fan_size, if not NULL, receives the sum of |solid angle| over the fan of vertex 0. */
-SHI_NOINLINE int shi_polygon_engine(int bands, int sides, int tight, const double point[3], size_t count, const void *vertices,
-                                    int floats, double *coeffs, double *grad, double *fan_size)
+SHI_NOINLINE int shi_polygon_engine(int bands, int sides, int tight, const double point[3], size_t count,
+                                    const void *vertices, int floats, double *coeffs, double *grad,
+                                    double *fan_size)
 {
     const double turn = 6.283185307179586476925, y00 = 0.28209479177387814347;
     const int size = bands * bands, planes = grad ? SH_GRADIENT : SH_VALUES;
     double totals[SHI_TOTALS(SHI_POLYGON_BANDS)], out[4 * SHI_POLYGON_BANDS * SHI_POLYGON_BANDS];
-    double s[(SHI_POLYGON_BANDS + 1) * (SHI_POLYGON_BANDS + 2)], t[(SHI_POLYGON_BANDS + 1) * (SHI_POLYGON_BANDS + 2)];
-    double spread = 0, signed_sum = 0, volume = 0, area[3] = { 0, 0, 0 }, sign, omega = 0, plane_turn = 0, least = 4;
+    double s[(SHI_POLYGON_BANDS + 1) * (SHI_POLYGON_BANDS + 2)],
+        t[(SHI_POLYGON_BANDS + 1) * (SHI_POLYGON_BANDS + 2)];
+    double spread = 0, signed_sum = 0, volume = 0, area[3] = { 0, 0, 0 }, sign, omega = 0, plane_turn = 0,
+           least = 4;
     shi_scene scene;
     shi_sink sink;
     shi_two first[3];
@@ -4909,7 +4974,8 @@ SHI_NOINLINE int shi_polygon_engine(int bands, int sides, int tight, const doubl
         if (shi_scene_arc(&scene, i, &e) < 0) on_edge = 1;
 
     if (flat || on_edge) {
-        /* in the plane: the front side sees a part of the hemisphere, the angle swept around the point over 2 pi */
+        /* in the plane: the front side sees a part of the hemisphere, the angle swept around the point over 2
+         * pi */
         const double length = sqrt(shi_dot3(area, area));
         double axis[3], part = 0, share = 1;
         if (!(length > 0)) return on_edge ? SH_ON_LIGHT : SH_OK;
@@ -4921,7 +4987,7 @@ SHI_NOINLINE int shi_polygon_engine(int bands, int sides, int tight, const doubl
             status = SH_ON_LIGHT;
             for (k = 0; k < 3; k++) axis[k] = -area[k] / length;
             sh_eval_f64(bands, axis, out);
-            for (l = 0; l < bands; l++) {                   /* integral of P_l over [0,1]: 1, 1/2, 0, -1/8, 0, 1/16 ... */
+            for (l = 0; l < bands; l++) { /* integral of P_l over [0,1]: 1, 1/2, 0, -1/8, 0, 1/16 ... */
                 const double zonal = l == 0 ? 1 : l % 2 ? 0.5 * share : 0;
                 if (l % 2) share *= -(double)l / (double)(l + 3);
                 for (k = l * l; k < (l + 1) * (l + 1); k++) coeffs[k] = part * turn * zonal * out[k];
@@ -4942,7 +5008,7 @@ SHI_NOINLINE int shi_polygon_engine(int bands, int sides, int tight, const doubl
     }
 
     memset(totals, 0, (size_t)SHI_TOTALS(bands) * sizeof totals[0]);
-    sink.tight = tight || spread < 1e-2;                    /* edges of a small light cancel what 2e-10 leaves */
+    sink.tight = tight || spread < 1e-2; /* edges of a small light cancel what 2e-10 leaves */
     if (edges) {
         const int ns = bands - 1, nt = grad ? bands : 0, flux = ns * bands, slope = bands * (bands + 1);
         double before[3] = { 0, 0, 0 }, start[3] = { 0, 0, 0 }, corner[3] = { 0, 0, 0 }, c[3];
@@ -4977,8 +5043,10 @@ SHI_NOINLINE int shi_polygon_engine(int bands, int sides, int tight, const doubl
             shi_cross3(before, start, c);
             plane_turn += atan2(shi_dot3(corner, c), shi_dot3(before, start));
         }
-        /* exterior angles give the solid angle modulo 2 pi, the fan tells which; the fan alone is poor near its sides' planes */
-        omega = least > 0.25 ? signed_sum : -plane_turn + turn * floor((signed_sum + plane_turn) / turn + 0.5);
+        /* exterior angles give the solid angle modulo 2 pi, the fan tells which; the fan alone is poor near
+         * its sides' planes */
+        omega = least > 0.25 ? signed_sum
+                             : -plane_turn + turn * floor((signed_sum + plane_turn) / turn + 0.5);
     } else {
         const int nt = grad ? bands + 1 : 0, used = bands * (bands + 1);
         int m;
@@ -5030,19 +5098,22 @@ SHI_NOINLINE int shi_polygon_engine(int bands, int sides, int tight, const doubl
 
 #if SHI_BITS == 64
 
-/* sup over the sphere and over unit vectors t of the Euclidean norm over m of (t.grad)^2 [Y_lm(p/|p|)/|p|^3] at |p| = 1, in
- * units of M_l: largest eigenvalue of [[12, 4 sqrt(k/2)], [., 3 + sqrt(k(3k-2)/8)]], k = l(l+1) */
+/* sup over the sphere and over unit vectors t of the Euclidean norm over m of (t.grad)^2 [Y_lm(p/|p|)/|p|^3]
+ * at |p| = 1, in units of M_l: largest eigenvalue of [[12, 4 sqrt(k/2)], [., 3 + sqrt(k(3k-2)/8)]], k =
+ * l(l+1) */
 SHI_INLINE double shi_second_bound(int l)
 {
     const double k = (double)(l * (l + 1)), t = l ? sqrt(k * (3 * k - 2) / 8) : 0;
     return 0.5 * (15 + t) + sqrt(0.25 * (9 - t) * (9 - t) + 8 * k);
 }
 
-SHI_NOINLINE int shi_triangle_sphere(int bands, int sides, const double x[3], const double v[9], double *out, double *grad, double *error)
+SHI_NOINLINE int shi_triangle_sphere(int bands, int sides, const double x[3], const double v[9], double *out,
+                                     double *grad, double *error)
 {
     const double huge = 1.7976931348623157e308, pi = 3.14159265358979323846;
     const int size = bands * bands;
-    double y[3], u[3], n[3], zero[3] = { 0, 0, 0 }, scale, extent = 0, area, r, d, cosine, factor, sum = 0, reach = 0;
+    double y[3], u[3], n[3], zero[3] = { 0, 0, 0 }, scale, extent = 0, area, r, d, cosine, factor, sum = 0,
+                             reach = 0;
     shi_two e1[3], e2[3], normal[3];
     int i, k, l, status;
     memset(out, 0, (size_t)size * sizeof out[0]);
@@ -5058,7 +5129,8 @@ SHI_NOINLINE int shi_triangle_sphere(int bands, int sides, const double x[3], co
         e1[k] = shi_two_sum(scale * v[3 + k], -scale * v[k]);
         e2[k] = shi_two_sum(scale * v[6 + k], -scale * v[k]);
         {   /* centroid - point: exact, the point may be much nearer to it than to the vertices */
-            const shi_two a = shi_two_sum(scale * v[k], -scale * x[k]), b = shi_two_sum(scale * v[3 + k], -scale * x[k]);
+            const shi_two a = shi_two_sum(scale * v[k], -scale * x[k]),
+                          b = shi_two_sum(scale * v[3 + k], -scale * x[k]);
             y[k] = shi_two_add(shi_two_add(a, b), shi_two_sum(scale * v[6 + k], -scale * x[k])).h / 3;
         }
     }
@@ -5074,7 +5146,7 @@ SHI_NOINLINE int shi_triangle_sphere(int bands, int sides, const double x[3], co
         if (error) *error = huge;
         return SH_INSIDE;
     }
-    {   /* n . (centroid - point) is n . (vertex - point), which needs its rounding errors at grazing angles */
+    {   /* n . (centroid - point) is n . (vertex - point), with its rounding errors for grazing angles */
         shi_two a[3];
         for (k = 0; k < 3; k++) {
             a[k] = shi_two_sum(scale * v[k], -scale * x[k]);
@@ -5084,7 +5156,7 @@ SHI_NOINLINE int shi_triangle_sphere(int bands, int sides, const double x[3], co
     }
     factor = sides == SH_SIGNED ? cosine : sides == SH_FRONT ? (cosine > 0 ? cosine : 0) : fabs(cosine);
     status = sh_sphere_f64(bands, zero, y, r, out, grad);
-    if (status < 0) {                                       /* beyond the sphere's range: nothing to see, or everything */
+    if (status < 0) { /* beyond the sphere's range: nothing to see, or everything */
         memset(out, 0, (size_t)size * sizeof out[0]);
         if (grad) memset(grad, 0, 3 * (size_t)size * sizeof grad[0]);
         return SH_OK;
@@ -5107,7 +5179,8 @@ SHI_NOINLINE int shi_triangle_sphere(int bands, int sides, const double x[3], co
             /* the cap over the same area seen at its center: 2/(1+alpha), 2 P_l'/(l(l+1)) */
             double cap = l == 0 ? 2 / (1 + alpha) : 2 * slope / (double)(l * (l + 1)), t;
             if (l > 0) {
-                const double p2 = ((2 * l + 1) * alpha * p1 - l * p0) / (l + 1), s2 = slope0 + (2 * l + 1) * p1;
+                const double p2 = ((2 * l + 1) * alpha * p1 - l * p0) / (l + 1),
+                             s2 = slope0 + (2 * l + 1) * p1;
                 slope0 = slope;
                 slope = s2;
                 p0 = p1;
@@ -5120,9 +5193,10 @@ SHI_NOINLINE int shi_triangle_sphere(int bands, int sides, const double x[3], co
     }
     for (k = 0; grad && k < 3; k++) {
         /* d cos / dx = (n - u (n.u)) / d, by the shading point */
-        const double dn = (n[k] - u[k] * shi_dot3(n, u)) / d, slope = sides == SH_SIGNED ? dn : cosine > 0 ? dn
-                        : sides == SH_BOTH && cosine < 0 ? -dn : 0;
-        for (i = 0; i < size; i++) grad[k * size + i] = scale * (factor * grad[k * size + i] + slope * out[i]);
+        const double dn = (n[k] - u[k] * shi_dot3(n, u)) / d;
+        const double slope = sides == SH_SIGNED || cosine > 0 ? dn : sides == SH_BOTH && cosine < 0 ? -dn : 0;
+        for (i = 0; i < size; i++)
+            grad[k * size + i] = scale * (factor * grad[k * size + i] + slope * out[i]);
     }
     for (i = 0; i < size; i++) out[i] *= factor;
     return status;
@@ -5132,10 +5206,11 @@ SHI_NOINLINE int shi_triangle_sphere(int bands, int sides, const double x[3], co
 
 #if SHI_BITS == 64
 
-/* best[l] = bound on what a degree-5 rule leaves on a triangle whose points lie within R = e rho of its centroid, rho its least
- * distance, in units of M_l area |cos| d/rho^3: its 6th-order remainder and the integral's. Along any line the band's vector
- * Y_l(p/|p|)/|p|^3 extends to complex offsets s rho with norm at most M_l (1+s)^l/(1-s)^(l+3)/rho^3 (the Lie norm of a
- * harmonic polynomial's argument), so Cauchy bounds the 6th derivative by 6!/s^6 of that, for any s < 1. */
+/* best[l] = bound on what a degree-5 rule leaves on a triangle whose points lie within R = e rho of its
+ * centroid, rho its least distance, in units of M_l area |cos| d/rho^3: its 6th-order remainder and the
+ * integral's. Along any line the band's vector Y_l(p/|p|)/|p|^3 extends to complex offsets s rho with norm at
+ * most M_l (1+s)^l/(1-s)^(l+3)/rho^3 (the Lie norm of a harmonic polynomial's argument), so Cauchy bounds the
+ * 6th derivative by 6!/s^6 of that, for any s < 1. */
 SHI_INLINE void shi_sixth_bounds(int bands, double e, double *best)
 {
     static const double offsets[8] = { 0.1, 0.15, 0.2, 0.27, 0.35, 0.45, 0.6, 0.75 };
@@ -5149,7 +5224,8 @@ SHI_INLINE void shi_sixth_bounds(int bands, double e, double *best)
 }
 
 /* one node p of a surface of directed area n2 (weight w): coefficients and gradient */
-SHI_INLINE void shi_within_node(int bands, const double p[3], const double n2[3], double w, double det, double *out, double *grad)
+SHI_INLINE void shi_within_node(int bands, const double p[3], const double n2[3], double w, double det,
+                                double *out, double *grad)
 {
     const int size = bands * bands;
     double y[SH_MAX_POLYGON_BANDS * SH_MAX_POLYGON_BANDS], g[3 * SH_MAX_POLYGON_BANDS * SH_MAX_POLYGON_BANDS];
@@ -5164,14 +5240,19 @@ SHI_INLINE void shi_within_node(int bands, const double p[3], const double n2[3]
     }
 }
 
-SHI_NOINLINE int shi_within_engine(int bands, int sides, int tight, double tolerance, const double point[3], size_t count,
-                                   const void *vertices, int floats, double *out, double *grad, double *error, int *used)
+SHI_NOINLINE int shi_within_engine(int bands, int sides, int tight, double tolerance, const double point[3],
+                                   size_t count, const void *vertices, int floats, double *out, double *grad,
+                                   double *error, int *used)
 {
     static const double few[8][3] = {
-        { 0.33333333333333333, 0.33333333333333333, 0.5 }, { 0.33333333333333333, 0.33333333333333333, 0.1125 },
-        { 0.10128650732345634, 0.10128650732345634, 0.06296959027241357 }, { 0.79742698535308732, 0.10128650732345634, 0.06296959027241357 },
-        { 0.10128650732345634, 0.79742698535308732, 0.06296959027241357 }, { 0.47014206410511509, 0.47014206410511509, 0.066197076394253095 },
-        { 0.05971587178976982, 0.47014206410511509, 0.066197076394253095 }, { 0.47014206410511509, 0.05971587178976982, 0.066197076394253095 } };
+        { 0.33333333333333333, 0.33333333333333333, 0.5 },
+        { 0.33333333333333333, 0.33333333333333333, 0.1125 },
+        { 0.10128650732345634, 0.10128650732345634, 0.06296959027241357 },
+        { 0.79742698535308732, 0.10128650732345634, 0.06296959027241357 },
+        { 0.10128650732345634, 0.79742698535308732, 0.06296959027241357 },
+        { 0.47014206410511509, 0.47014206410511509, 0.066197076394253095 },
+        { 0.05971587178976982, 0.47014206410511509, 0.066197076394253095 },
+        { 0.47014206410511509, 0.05971587178976982, 0.066197076394253095 } };
     enum { SPHERE, POINT, POINT4, SEVEN, SEVEN4, EXACT };
     const int size = bands * bands;
     double total[5] = { 0, 0, 0, 0, 0 }, volume = 0, sign;
@@ -5186,7 +5267,8 @@ SHI_NOINLINE int shi_within_engine(int bands, int sides, int tight, double toler
     shi_scene_vertex(&scene, 0, first);
     for (i = 1; i + 1 < count; i++) {                       /* bounds of every way, summed over the fan */
         shi_two d1[3], d2[3], n[3];
-        double c[3], e[3][3], n2[3], det, area, d, q = 0, reach = 0, near, unit, sums[5] = { 0, 0, 0, 0, 0 }, six[SH_MAX_POLYGON_BANDS], six4[SH_MAX_POLYGON_BANDS];
+        double c[3], e[3][3], n2[3], det, area, d, q = 0, reach = 0, near, unit, sums[5] = { 0, 0, 0, 0, 0 },
+                                                   six[SH_MAX_POLYGON_BANDS], six4[SH_MAX_POLYGON_BANDS];
         shi_scene_edge(&scene, 0, i, d1);
         shi_scene_edge(&scene, 0, i + 1, d2);
         shi_two_cross(d1, d2, n);
@@ -5218,11 +5300,13 @@ SHI_NOINLINE int shi_within_engine(int bands, int sides, int tight, double toler
         shi_sixth_bounds(bands, reach / near, six);
         shi_sixth_bounds(bands, 0.5 * reach / near, six4);
         for (l = 0; l < bands; l++) {
-            const double m2 = (2 * l + 1) / 12.566370614359172954, s = area / (3.14159265358979323846 * d * d);
-            const double near5 = near * near * near * near * near, second = 0.5 * q * shi_second_bound(l) * unit / near5;
+            const double m2 = (2 * l + 1) / 12.566370614359172954,
+                         s = area / (3.14159265358979323846 * d * d);
+            const double near5 = near * near * near * near * near,
+                         second = 0.5 * q * shi_second_bound(l) * unit / near5;
             const double sixth = unit / (near * near * near);
             const double alpha = s < 1 ? sqrt(1 - s) : 0;
-            double cap = 0;                                 /* sup of the cap's deviation: 1 - P_l' slope, at most l(l+1) s/8 + s */
+            double cap = 0; /* sup of the cap's deviation: 1 - P_l' slope, at most l(l+1) s/8 + s */
             cap = unit / (d * d * d) * ((double)(l * (l + 1)) / 8 + 1) * (1 - alpha) * 2;
             sums[SPHERE] += m2 * (second + cap) * (second + cap);
             sums[POINT] += m2 * second * second;
@@ -5237,8 +5321,11 @@ SHI_NOINLINE int shi_within_engine(int bands, int sides, int tight, double toler
     }
     for (way = SPHERE; way < EXACT && !(total[way] <= tolerance); way++) {}
     if (volume == 0) way = EXACT;
-    if (used) *used = way == SPHERE ? SH_USED_SPHERE : way == EXACT ? SH_USED_EXACT : way == POINT4 || way == SEVEN4 ? SH_USED_SUBDIVISION : SH_USED_CUBATURE;
-    if (way == EXACT) return shi_polygon_engine(bands, sides, tight, point, count, vertices, floats, out, grad, NULL);
+    if (used)
+        *used = way == SPHERE ? SH_USED_SPHERE : way == EXACT ? SH_USED_EXACT
+              : way == POINT4 || way == SEVEN4 ? SH_USED_SUBDIVISION : SH_USED_CUBATURE;
+    if (way == EXACT)
+        return shi_polygon_engine(bands, sides, tight, point, count, vertices, floats, out, grad, NULL);
     *error = total[way];
     sign = volume < 0 ? -1 : 1;
     if (sides == SH_FRONT && sign > 0) return SH_OK;
@@ -5246,7 +5333,8 @@ SHI_NOINLINE int shi_within_engine(int bands, int sides, int tight, double toler
     for (i = 1; i + 1 < count; i++) {
         shi_two d1[3], d2[3], n[3];
         double n2[3], det, p[3];
-        int piece, pieces = way == POINT4 || way == SEVEN4 ? 4 : 1, j, from = way == SEVEN || way == SEVEN4 ? 1 : 0, to = from ? 8 : 1;
+        int piece, pieces = way == POINT4 || way == SEVEN4 ? 4 : 1, j,
+                   from = way == SEVEN || way == SEVEN4 ? 1 : 0, to = from ? 8 : 1;
         shi_scene_edge(&scene, 0, i, d1);
         shi_scene_edge(&scene, 0, i + 1, d2);
         shi_two_cross(d1, d2, n);
@@ -5254,7 +5342,8 @@ SHI_NOINLINE int shi_within_engine(int bands, int sides, int tight, double toler
         for (k = 0; k < 3; k++) n2[k] = n[k].h;
         if (det == 0) continue;
         if (way == SPHERE) {
-            double v[9], x[3] = { 0, 0, 0 }, c[SH_MAX_POLYGON_BANDS * SH_MAX_POLYGON_BANDS], g[3 * SH_MAX_POLYGON_BANDS * SH_MAX_POLYGON_BANDS];
+            double v[9], x[3] = { 0, 0, 0 }, c[SH_MAX_POLYGON_BANDS * SH_MAX_POLYGON_BANDS],
+                         g[3 * SH_MAX_POLYGON_BANDS * SH_MAX_POLYGON_BANDS];
             for (k = 0; k < 3; k++) {
                 v[k] = first[k].h;
                 v[3 + k] = first[k].h + d1[k].h;
@@ -5285,7 +5374,8 @@ SHI_NOINLINE int shi_within_engine(int bands, int sides, int tight, double toler
 
 /* ---- checks and conversion ---- */
 
-SHI_INLINE int SHI_FN(shi_polygon_check)(int bands, int sides, const SHI_T *point, size_t count, const SHI_T *vertices)
+SHI_INLINE int SHI_FN(shi_polygon_check)(int bands, int sides, const SHI_T *point, size_t count,
+                                         const SHI_T *vertices)
 {
     if (!point || !vertices) return SH_ERROR_NULL;
     if (bands < 1 || bands > SH_MAX_POLYGON_BANDS) return SH_ERROR_BANDS;
@@ -5307,27 +5397,30 @@ SHI_INLINE void SHI_FN(shi_polygon_store)(size_t count, const double *in, SHI_T 
     for (i = 0; i < count; i++) out[i] = SHI_FN(shi_polygon_round)(in[i]);
 }
 
-/* Coefficients of a polygon of unit radiance, coeffs[N], and their gradient by the shading point, grad[3][N] (NULL: no
- * gradient, and nothing spent on it).
+/* Coefficients of a polygon of unit radiance, coeffs[N], and their gradient by the shading point, grad[3][N]
+ * (NULL: no gradient, and nothing spent on it).
  *
  *   bands     1 .. 16
  *   sides     SH_BOTH, SH_FRONT, SH_SIGNED
  *   vertices  [count][3], count >= 3; repeated and collinear vertices are allowed and change nothing
  *
  * Degenerate cases: top of this file. Zero area gives zeros. Outputs must not overlap the inputs.
- * Both precisions compute in double, with the differences and determinants of the given numbers in twice that: a float
- * call is a double engine between float inputs and outputs.
- * Error:  |c - exact| <= 64 eps M_l sum |Omega_fan|, |grad - exact| <= 64 eps sum_fan (M_l |grad Omega_fan| + G_l Omega_fan/d)
- *         with the fan of vertex 0 and d the distance of the nearest vertex; 1000 eps within 1e-3 (seen from the point, of
- *         the edge's length) of an edge. From size/distance 10 to 1e-6, needles of 1:1000, grazing angles to 1e-6.
- * Source: edges: divergence theorem on the sphere, with mu . grad(r^l Y_lm) in place of WR18 Eq. 29-32, integrated by Gauss
- *         rules along the arc. Thin, small or grazing polygons: positive Gauss rules over the spherical triangles of the
- *         fan. The gradient: transport of the boundary, or of the surface. docs/polygons.md derives them. */
+ * Both precisions compute in double, with the differences and determinants of the given numbers in twice
+ * that: a float call is a double engine between float inputs and outputs.
+ * Error:  |c - exact| <= 64 eps M_l sum |Omega_fan|, |grad - exact| <= 64 eps sum_fan (M_l |grad Omega_fan| +
+ *         G_l Omega_fan/d) with the fan of vertex 0 and d the distance of the nearest vertex; 1000 eps within
+ *         1e-3 (seen from the point, of the edge's length) of an edge. From size/distance 10 to 1e-6, needles
+ *         of 1:1000, grazing angles to 1e-6.
+ * Source: edges: divergence theorem on the sphere, with mu . grad(r^l Y_lm) in place of WR18 Eq. 29-32,
+ *         integrated by Gauss rules along the arc. Thin, small or grazing polygons: positive Gauss rules over
+ *         the spherical triangles of the fan. The gradient: transport of the boundary, or of the surface.
+ *         docs/polygons.md derives them. */
 SH_API int SHI_FN(sh_polygon)(int bands, int sides, const SHI_T point[3], size_t count, const SHI_T *vertices,
                               SHI_T *coeffs, SHI_T *grad)
 {
     const size_t size = (size_t)(bands * bands);
-    double p[3], c[SH_MAX_POLYGON_BANDS * SH_MAX_POLYGON_BANDS], g[3 * SH_MAX_POLYGON_BANDS * SH_MAX_POLYGON_BANDS];
+    double p[3], c[SH_MAX_POLYGON_BANDS * SH_MAX_POLYGON_BANDS],
+        g[3 * SH_MAX_POLYGON_BANDS * SH_MAX_POLYGON_BANDS];
     int k, status = SHI_FN(shi_polygon_check)(bands, sides, point, count, vertices);
     if (status) return status;
     if (!coeffs) return SH_ERROR_NULL;
@@ -5337,16 +5430,18 @@ SH_API int SHI_FN(sh_polygon)(int bands, int sides, const SHI_T point[3], size_t
         || shi_overlap(grad, 3 * size * sizeof *grad, point, 3 * sizeof *point)
         || shi_overlap(grad, 3 * size * sizeof *grad, coeffs, size * sizeof *coeffs)) return SH_ERROR_OVERLAP;
     for (k = 0; k < 3; k++) p[k] = (double)point[k];
-    status = shi_polygon_engine(bands, sides, SHI_BITS == 64, p, count, vertices, SHI_BITS == 32, c, grad ? g : NULL, NULL);
+    status = shi_polygon_engine(bands, sides, SHI_BITS == 64, p, count, vertices, SHI_BITS == 32, c,
+                                grad ? g : NULL, NULL);
     SHI_FN(shi_polygon_store)(size, c, coeffs);
     if (grad) SHI_FN(shi_polygon_store)(3 * size, g, grad);
     return status;
 }
 
-/* Solid angle of a polygon in steradians, and its gradient by the point (NULL: none); signs, degenerate cases and error as
- * sh_polygon's at l = 0, times sqrt(4 pi). Source: exterior angles (WR18 Eq. 24, repaired) or the sum of the surface. */
-SH_API int SHI_FN(sh_polygon_solid_angle)(int sides, const SHI_T point[3], size_t count, const SHI_T *vertices,
-                                          SHI_T *omega, SHI_T grad[3])
+/* Solid angle of a polygon in steradians, and its gradient by the point (NULL: none); signs, degenerate cases
+ * and error as sh_polygon's at l = 0, times sqrt(4 pi). Source: exterior angles (WR18 Eq. 24, repaired) or
+ * the sum of the surface. */
+SH_API int SHI_FN(sh_polygon_solid_angle)(int sides, const SHI_T point[3], size_t count,
+                                          const SHI_T *vertices, SHI_T *omega, SHI_T grad[3])
 {
     const double root = 3.5449077018110320546;          /* sqrt(4 pi) */
     double p[3], c[1], g[3];
@@ -5354,7 +5449,8 @@ SH_API int SHI_FN(sh_polygon_solid_angle)(int sides, const SHI_T point[3], size_
     if (status) return status;
     if (!omega) return SH_ERROR_NULL;
     for (k = 0; k < 3; k++) p[k] = (double)point[k];
-    status = shi_polygon_engine(1, sides, SHI_BITS == 64, p, count, vertices, SHI_BITS == 32, c, grad ? g : NULL, NULL);
+    status = shi_polygon_engine(1, sides, SHI_BITS == 64, p, count, vertices, SHI_BITS == 32, c,
+                                grad ? g : NULL, NULL);
     c[0] *= root;
     SHI_FN(shi_polygon_store)(1, c, omega);
     for (k = 0; grad && k < 3; k++) g[k] *= root;
@@ -5364,23 +5460,28 @@ SH_API int SHI_FN(sh_polygon_solid_angle)(int sides, const SHI_T point[3], size_
 
 /* ---- triangle as sphere ---- */
 
-/* M22's approximation of a triangle by a sphere at its centroid, with the area of the triangle as that of its disc (Eq. 24,
- * 25), dimmed by |cos| of the angle at which the triangle is seen (Eq. 26), with its gradient (Eq. 27, 28; NULL: none).
+/* M22's approximation of a triangle by a sphere at its centroid, with the area of the triangle as that of its
+ * disc (Eq. 24, 25), dimmed by |cos| of the angle at which the triangle is seen (Eq. 26), with its gradient
+ * (Eq. 27, 28; NULL: none).
  *
  *   bands   1 .. 32
  *   sides   SH_BOTH: |cos|, as published; SH_FRONT: max(0, cos); SH_SIGNED: cos, positive in front
- *   error   NULL, or a bound on the Euclidean norm, over all coefficients, of what separates the approximation from the
- *           triangle's exact light; infinite (the largest number) where the distance is below the triangle's radius.
- *           Typically 2-5 % of the norm at size/distance 0.1 and no use at 0.5: the approximation itself is 23-87 % wrong there.
+ *   error   NULL, or a bound on the Euclidean norm, over all coefficients, of what separates the
+ *           approximation from the triangle's exact light; infinite (the largest number) where the distance
+ *           is below the triangle's radius.
+ *           Typically 2-5 % of the norm at size/distance 0.1 and no use at 0.5: the approximation itself is
+ *           23-87 % wrong there.
  *
- * |cos| = 0 (point in the triangle's plane): zeros; gradient 0 with SH_BOTH and SH_FRONT, which have a kink there, and exact
- * with SH_SIGNED. A triangle without area: zeros. Point on or inside the sphere: L_00 = 2 sqrt(pi) times the cosine factor,
- * gradient of the cosine factor alone, status SH_INSIDE; at the centroid itself zeros.
+ * |cos| = 0 (point in the triangle's plane): zeros; gradient 0 with SH_BOTH and SH_FRONT, which have a kink
+ * there, and exact with SH_SIGNED. A triangle without area: zeros. Point on or inside the sphere: L_00 = 2
+ * sqrt(pi) times the cosine factor, gradient of the cosine factor alone, status SH_INSIDE; at the centroid
+ * itself zeros.
  * Error of the value: that of sh_sphere plus 8 eps of the value (computed in double for both precisions).
- * Bound `error`: second-order Taylor remainder over the triangle, of Y_lm(p/|p|)/|p|^3 with the exact suprema of its
- * derivatives over the band, plus the exact deviation of the cap from its center: docs/polygons.md. */
-SH_API int SHI_FN(sh_triangle_as_sphere)(int bands, int sides, const SHI_T point[3], const SHI_T a[3], const SHI_T b[3],
-                                         const SHI_T c[3], SHI_T *coeffs, SHI_T *grad, SHI_T *error)
+ * Bound `error`: second-order Taylor remainder over the triangle, of Y_lm(p/|p|)/|p|^3 with the exact suprema
+ * of its derivatives over the band, plus the exact deviation of the cap from its center: docs/polygons.md. */
+SH_API int SHI_FN(sh_triangle_as_sphere)(int bands, int sides, const SHI_T point[3], const SHI_T a[3],
+                                         const SHI_T b[3], const SHI_T c[3], SHI_T *coeffs, SHI_T *grad,
+                                         SHI_T *error)
 {
     double x[3], v[9], out[SH_MAX_BANDS * SH_MAX_BANDS], g[3 * SH_MAX_BANDS * SH_MAX_BANDS], e = 0;
     const size_t size = (size_t)(bands * bands);
@@ -5388,7 +5489,8 @@ SH_API int SHI_FN(sh_triangle_as_sphere)(int bands, int sides, const SHI_T point
     if (!point || !a || !b || !c || !coeffs) return SH_ERROR_NULL;
     if (bands < 1 || bands > SH_MAX_BANDS) return SH_ERROR_BANDS;
     if (sides < SH_BOTH || sides > SH_SIGNED) return SH_ERROR_OPTION;
-    if (!SHI_FN(shi_finite)(point, 3) || !SHI_FN(shi_finite)(a, 3) || !SHI_FN(shi_finite)(b, 3) || !SHI_FN(shi_finite)(c, 3))
+    if (!SHI_FN(shi_finite)(point, 3) || !SHI_FN(shi_finite)(a, 3) || !SHI_FN(shi_finite)(b, 3)
+        || !SHI_FN(shi_finite)(c, 3))
         return SH_ERROR_NOT_FINITE;
     if (shi_overlap(coeffs, size * sizeof *coeffs, grad, 3 * size * sizeof *grad)) return SH_ERROR_OVERLAP;
     for (k = 0; k < 3; k++) {
@@ -5404,28 +5506,33 @@ SH_API int SHI_FN(sh_triangle_as_sphere)(int bands, int sides, const SHI_T point
     return status;
 }
 
-/* The cheapest representation of a polygon that stays within a tolerance: the sphere of each triangle of the fan, one node per
- * triangle, four smaller triangles with a node each, a 7-point rule, four smaller triangles with that, or sh_polygon.
+/* The cheapest representation of a polygon that stays within a tolerance: the sphere of each triangle of the
+ * fan, one node per triangle, four smaller triangles with a node each, a 7-point rule, four smaller triangles
+ * with that, or sh_polygon.
  *
- *   tolerance  >= 0, on the Euclidean norm of the error of all coefficients of the unit-radiance light: multiply by the
- *              radiance to have it in its unit; 0 always takes sh_polygon
+ *   tolerance  >= 0, on the Euclidean norm of the error of all coefficients of the unit-radiance light:
+ *              multiply by the radiance to have it in its unit; 0 always takes sh_polygon
  *   error      NULL, or the bound of the way taken; 0 when that is exact
  *   used       NULL, or SH_USED_SPHERE, SH_USED_CUBATURE, SH_USED_SUBDIVISION, SH_USED_EXACT
  *
- * Guarantees |coeffs - exact| <= error <= tolerance (or the bound of sh_polygon), plus 64 eps of the light's own norm; not the
- * gradient, which is that of what was taken. The bounds are proven, not estimated, and therefore on the safe side:
+ * Guarantees |coeffs - exact| <= error <= tolerance (or the bound of sh_polygon), plus 64 eps of the light's
+ * own norm; not the gradient, which is that of what was taken. The bounds are proven, not estimated, and
+ * therefore on the safe side:
  * Taylor and Cauchy remainders with the suprema of each band (docs/polygons.md). */
-SH_API int SHI_FN(sh_polygon_within)(int bands, int sides, SHI_T tolerance, const SHI_T point[3], size_t count, const SHI_T *vertices,
-                                     SHI_T *coeffs, SHI_T *grad, SHI_T *error, int *used)
+SH_API int SHI_FN(sh_polygon_within)(int bands, int sides, SHI_T tolerance, const SHI_T point[3],
+                                     size_t count, const SHI_T *vertices, SHI_T *coeffs, SHI_T *grad,
+                                     SHI_T *error, int *used)
 {
     const size_t size = (size_t)(bands * bands);
-    double p[3], c[SH_MAX_POLYGON_BANDS * SH_MAX_POLYGON_BANDS], g[3 * SH_MAX_POLYGON_BANDS * SH_MAX_POLYGON_BANDS], e;
+    double p[3], c[SH_MAX_POLYGON_BANDS * SH_MAX_POLYGON_BANDS],
+        g[3 * SH_MAX_POLYGON_BANDS * SH_MAX_POLYGON_BANDS], e;
     int k, status = SHI_FN(shi_polygon_check)(bands, sides, point, count, vertices);
     if (status) return status;
     if (!coeffs) return SH_ERROR_NULL;
     if (!SHI_FN(shi_finite)(&tolerance, 1) || tolerance < 0) return SH_ERROR_OPTION;
     for (k = 0; k < 3; k++) p[k] = (double)point[k];
-    status = shi_within_engine(bands, sides, SHI_BITS == 64, (double)tolerance, p, count, vertices, SHI_BITS == 32, c, grad ? g : NULL, &e, used);
+    status = shi_within_engine(bands, sides, SHI_BITS == 64, (double)tolerance, p, count, vertices,
+                               SHI_BITS == 32, c, grad ? g : NULL, &e, used);
     SHI_FN(shi_polygon_store)(size, c, coeffs);
     if (grad) SHI_FN(shi_polygon_store)(3 * size, g, grad);
     if (error) SHI_FN(shi_polygon_store)(1, &e, error);
@@ -5434,13 +5541,15 @@ SH_API int SHI_FN(sh_polygon_within)(int bands, int sides, SHI_T tolerance, cons
 
 /* ---- many polygons, many points ---- */
 
-SHI_INLINE int SHI_FN(shi_polygons_check)(int bands, int planes, int channels, int sides, size_t points, const SHI_T *point,
-                                          size_t polygons, const int *counts, const SHI_T *vertices, const SHI_T *radiance, const SHI_T *out)
+SHI_INLINE int SHI_FN(shi_polygons_check)(int bands, int planes, int channels, int sides, size_t points,
+                                          const SHI_T *point, size_t polygons, const int *counts,
+                                          const SHI_T *vertices, const SHI_T *radiance, const SHI_T *out)
 {
     const size_t bytes = points * (size_t)channels * (size_t)(planes * bands * bands) * sizeof *out;
     size_t i, total = 0;
     if (bands < 1 || bands > SH_MAX_POLYGON_BANDS) return SH_ERROR_BANDS;
-    if ((planes != SH_VALUES && planes != SH_GRADIENT) || channels < 1 || (!radiance && channels != 1)) return SH_ERROR_COUNT;
+    if ((planes != SH_VALUES && planes != SH_GRADIENT) || channels < 1 || (!radiance && channels != 1))
+        return SH_ERROR_COUNT;
     if (sides < SH_BOTH || sides > SH_SIGNED) return SH_ERROR_OPTION;
     if (!points) return SH_OK;
     if (!out || (polygons && (!counts || !vertices))) return SH_ERROR_NULL;
@@ -5449,18 +5558,20 @@ SHI_INLINE int SHI_FN(shi_polygons_check)(int bands, int planes, int channels, i
         total += (size_t)counts[i];
     }
     if (!SHI_FN(shi_finite)(vertices, 3 * total)) return SH_ERROR_NOT_FINITE;
-    if (shi_overlap(out, bytes, point, 3 * points * sizeof *point) || shi_overlap(out, bytes, vertices, 3 * total * sizeof *vertices)
+    if (shi_overlap(out, bytes, point, 3 * points * sizeof *point)
+        || shi_overlap(out, bytes, vertices, 3 * total * sizeof *vertices)
         || shi_overlap(out, bytes, counts, polygons * sizeof *counts)
-        || shi_overlap(out, bytes, radiance, (size_t)channels * polygons * sizeof *radiance)) return SH_ERROR_OVERLAP;
+        || shi_overlap(out, bytes, radiance, (size_t)channels * polygons * sizeof *radiance))
+        return SH_ERROR_OVERLAP;
     return SH_OK;
 }
 
 /* W points at a time; up to three channels share a pass over the polygons.
  * work: totals of three channels, then SHI_POLYGON_SUMS(n) vectors of sums, where the results go at last */
-SHI_INLINE int SHI_FN(shi_polygons_with)(int n, int planes, int channels, int sides, size_t points, const SHI_T *point,
-                                         const SHI_FN(sh_grid) *grid, size_t first, size_t polygons, const int *counts,
-                                         const SHI_T *vertices, const SHI_T *radiance, SHI_T *out,
-                                         SHI_MANY(shi_vector) *work)
+SHI_INLINE int SHI_FN(shi_polygons_with)(int n, int planes, int channels, int sides, size_t points,
+                                         const SHI_T *point, const SHI_FN(sh_grid) *grid, size_t first,
+                                         size_t polygons, const int *counts, const SHI_T *vertices,
+                                         const SHI_T *radiance, SHI_T *out, SHI_MANY(shi_vector) *work)
 {
     const int lanes = SHI_MANY(shi_polygon_lanes), size = n * n, rows = planes * size, totals = SHI_TOTALS(n);
     const size_t row = (size_t)rows, stride = (size_t)channels * row;
@@ -5483,7 +5594,8 @@ SHI_INLINE int SHI_FN(shi_polygons_with)(int n, int planes, int channels, int si
         int valid = 1, good[SHI_MANY(shi_polygon_lanes)];
         if (grid) {
             for (i = 0; i < used; i++) {
-                const size_t nx = (size_t)grid->count[0], ny = (size_t)grid->count[1], node = first + p + (size_t)i;
+                const size_t nx = (size_t)grid->count[0], ny = (size_t)grid->count[1],
+                             node = first + p + (size_t)i;
                 x[3 * i] = grid->origin[0] + (SHI_T)(node % nx) * grid->cell[0];
                 x[3 * i + 1] = grid->origin[1] + (SHI_T)(node / nx % ny) * grid->cell[1];
                 x[3 * i + 2] = grid->origin[2] + (SHI_T)(node / nx / ny) * grid->cell[2];
@@ -5513,8 +5625,9 @@ SHI_INLINE int SHI_FN(shi_polygons_with)(int n, int planes, int channels, int si
                 SHI_MANY(shi_mask) hard;
                 if (g >= known) SHI_FN(shi_measure)((size_t)counts[g], v, NULL, &shapes[16]);
                 for (k = 0; radiance && k < pass; k++) r[k] = radiance[(size_t)(c + k) * polygons + g];
-                SHI_MANY(shi_polygon_block)(n, planes, sides, &rules, xv, &shapes[g < known ? g : 16], (size_t)counts[g], v,
-                                            pass, r, work, omega, &surface, &hard, sums);
+                SHI_MANY(shi_polygon_block)(n, planes, sides, &rules, xv, &shapes[g < known ? g : 16],
+                                            (size_t)counts[g], v, pass, r, work, omega, &surface, &hard,
+                                            sums);
                 any |= SHI_MANY(shi_any)(hard);
             }
             for (k = 0; k < pass; k++) {
@@ -5528,15 +5641,17 @@ SHI_INLINE int SHI_FN(shi_polygons_with)(int n, int planes, int channels, int si
                 }
                 for (i = 0; i < used; i++)
                     if (good[i])
-                        SHI_ONE(shi_transpose_block)(results + i, lanes, rows, to + (size_t)i * stride, stride, 1);
+                        SHI_ONE(shi_transpose_block)(results + i, lanes, rows, to + (size_t)i * stride,
+                                                     stride, 1);
             }
             if (!any) continue;
-            for (g = 0, v = vertices; g < polygons; v += 3 * counts[g++]) {         /* rare: points in the plane of a light */
+            for (g = 0, v = vertices; g < polygons;
+                 v += 3 * counts[g++]) { /* rare: points in the plane of a light */
                 SHI_MANY(shi_mask) hard;
                 SHI_I marks[SHI_MANY(shi_polygon_lanes)];
                 if (g >= known) SHI_FN(shi_measure)((size_t)counts[g], v, NULL, &shapes[16]);
-                SHI_MANY(shi_polygon_block)(n, planes, sides, &rules, xv, &shapes[g < known ? g : 16], (size_t)counts[g], v, 0,
-                                            r, work, omega, &surface, &hard, sums);
+                SHI_MANY(shi_polygon_block)(n, planes, sides, &rules, xv, &shapes[g < known ? g : 16],
+                                            (size_t)counts[g], v, 0, r, work, omega, &surface, &hard, sums);
                 memcpy(marks, &hard, sizeof marks);
                 for (i = 0; i < used; i++) {
                     double y[3], value[SH_MAX_POLYGON_BANDS * SH_MAX_POLYGON_BANDS];
@@ -5544,14 +5659,16 @@ SHI_INLINE int SHI_FN(shi_polygons_with)(int n, int planes, int channels, int si
                     int one;
                     if (!marks[i] || !good[i]) continue;
                     for (k = 0; k < 3; k++) y[k] = (double)x[3 * i + k];
-                    one = shi_polygon_engine(n, sides, SHI_BITS == 64, y, (size_t)counts[g], v, SHI_BITS == 32, value,
-                                             planes == SH_GRADIENT ? grad : NULL, NULL);
+                    one = shi_polygon_engine(n, sides, SHI_BITS == 64, y, (size_t)counts[g], v,
+                                             SHI_BITS == 32, value, planes == SH_GRADIENT ? grad : NULL,
+                                             NULL);
                     if (one > status && status >= 0) status = one;
                     for (k = 0; k < pass; k++) {
                         const double f = radiance ? (double)radiance[(size_t)(c + k) * polygons + g] : 1;
                         SHI_T *const to = out + (p + (size_t)i) * stride + (size_t)(c + k) * row;
                         for (l = 0; l < rows; l++)
-                            to[l] = SHI_FN(shi_polygon_round)((double)to[l] + f * (l < size ? value[l] : grad[l - size]));
+                            to[l] = SHI_FN(shi_polygon_round)((double)to[l]
+                                                              + f * (l < size ? value[l] : grad[l - size]));
                     }
                 }
             }
@@ -5561,29 +5678,36 @@ SHI_INLINE int SHI_FN(shi_polygons_with)(int n, int planes, int channels, int si
 }
 
 #define SHI_POLYGON_WORK(n) (3 * SHI_TOTALS(n) + SHI_POLYGON_SUMS(n))
-SHI_NOINLINE int SHI_FN(shi_polygons_10)(int n, int planes, int channels, int sides, size_t points, const SHI_T *point,
-                                         const SHI_FN(sh_grid) *grid, size_t first, size_t polygons, const int *counts,
-                                         const SHI_T *vertices, const SHI_T *radiance, SHI_T *out)
+SHI_NOINLINE int SHI_FN(shi_polygons_10)(int n, int planes, int channels, int sides, size_t points,
+                                         const SHI_T *point, const SHI_FN(sh_grid) *grid, size_t first,
+                                         size_t polygons, const int *counts, const SHI_T *vertices,
+                                         const SHI_T *radiance, SHI_T *out)
 {
     SHI_MANY(shi_vector) work[SHI_POLYGON_WORK(10)];
-    return SHI_FN(shi_polygons_with)(n, planes, channels, sides, points, point, grid, first, polygons, counts, vertices,
-                                     radiance, out, work);
+    return SHI_FN(shi_polygons_with)(n, planes, channels, sides, points, point, grid, first, polygons, counts,
+                                     vertices, radiance, out, work);
 }
-SHI_NOINLINE int SHI_FN(shi_polygons_16)(int n, int planes, int channels, int sides, size_t points, const SHI_T *point,
-                                         const SHI_FN(sh_grid) *grid, size_t first, size_t polygons, const int *counts,
-                                         const SHI_T *vertices, const SHI_T *radiance, SHI_T *out)
+SHI_NOINLINE int SHI_FN(shi_polygons_16)(int n, int planes, int channels, int sides, size_t points,
+                                         const SHI_T *point, const SHI_FN(sh_grid) *grid, size_t first,
+                                         size_t polygons, const int *counts, const SHI_T *vertices,
+                                         const SHI_T *radiance, SHI_T *out)
 {
     SHI_MANY(shi_vector) work[SHI_POLYGON_WORK(SH_MAX_POLYGON_BANDS)];
-    n = n < SH_MAX_POLYGON_BANDS ? n : SH_MAX_POLYGON_BANDS;    /* is; a compiler that clones this for 17 cannot know */
-    return SHI_FN(shi_polygons_with)(n, planes, channels, sides, points, point, grid, first, polygons, counts, vertices,
-                                     radiance, out, work);
+    n = n < SH_MAX_POLYGON_BANDS
+          ? n
+          : SH_MAX_POLYGON_BANDS; /* is; a compiler that clones this for 17 cannot know */
+    return SHI_FN(shi_polygons_with)(n, planes, channels, sides, points, point, grid, first, polygons, counts,
+                                     vertices, radiance, out, work);
 }
-SHI_INLINE int SHI_FN(shi_polygons_any)(int n, int planes, int channels, int sides, size_t points, const SHI_T *point,
-                                        const SHI_FN(sh_grid) *grid, size_t first, size_t polygons, const int *counts,
-                                        const SHI_T *vertices, const SHI_T *radiance, SHI_T *out)
+SHI_INLINE int SHI_FN(shi_polygons_any)(int n, int planes, int channels, int sides, size_t points,
+                                        const SHI_T *point, const SHI_FN(sh_grid) *grid, size_t first,
+                                        size_t polygons, const int *counts, const SHI_T *vertices,
+                                        const SHI_T *radiance, SHI_T *out)
 {
-    return n <= 10 ? SHI_FN(shi_polygons_10)(n, planes, channels, sides, points, point, grid, first, polygons, counts, vertices, radiance, out)
-                   : SHI_FN(shi_polygons_16)(n, planes, channels, sides, points, point, grid, first, polygons, counts, vertices, radiance, out);
+    return n <= 10 ? SHI_FN(shi_polygons_10)(n, planes, channels, sides, points, point, grid, first, polygons,
+                                             counts, vertices, radiance, out)
+                   : SHI_FN(shi_polygons_16)(n, planes, channels, sides, points, point, grid, first, polygons,
+                                             counts, vertices, radiance, out);
 }
 
 /* Sums of many polygons at many points: the fast path, SIMD over points, in T.
@@ -5596,41 +5720,61 @@ SHI_INLINE int SHI_FN(shi_polygons_any)(int n, int planes, int channels, int sid
  *   radiance  [channels][polygons], or NULL: 1, one channel
  *   out       [points][channels][planes][N]
  *
- * Degenerate cases as sh_polygon (which computes them); status SH_ON_LIGHT if any point lies on a polygon. A polygon that is not
- * valid is an error before anything is written; a point that is not finite is an error and leaves its own outputs.
- * Error per polygon of radiance 1, with b = (bands+1) 2R/(d-R), R its radius about the mean vertex and d that one's distance:
- *     b < 1.4 (double: 1.8)  64 eps M_l sum |Omega_fan|, gradient 64 eps (M_l |grad Omega| + G_l Omega/d), any shape; in double
- *                            times 1 + 1/(8 sin) at grazing angles, whose heights above the plane are rounded
- *     otherwise              16 eps M_l p more, p the perimeter in radians; gradient 64 eps M_l k more, k = sum over edges of
- *                            angle/distance: needles and grazing lights keep an absolute error, not a relative one
- * Stack: up to 160 KiB to 10 bands, 350 KiB beyond. One channel costs least; three share a pass.
- * Source: as sh_polygon; small lights by rules of degree 1 to 18 over the fan, chosen by bands times angular diameter. */
-SH_API int SHI_FN(sh_polygons_n)(int bands, int planes, int channels, int sides, size_t points, const SHI_T *point,
-                                 size_t polygons, const int *counts, const SHI_T *vertices, const SHI_T *radiance, SHI_T *out)
+ * Degenerate cases as sh_polygon (which computes them); status SH_ON_LIGHT if any point lies on a polygon. A
+ * polygon that is not valid is an error before anything is written; a point that is not finite is an error
+ * and leaves its own outputs.
+ * Error per polygon of radiance 1, with b = (bands+1) 2R/(d-R), R its radius about the mean vertex and d that
+ * one's distance:
+ *     b < 1.4 (double: 1.8)  64 eps M_l sum |Omega_fan|, gradient 64 eps (M_l |grad Omega| + G_l Omega/d),
+ *                            any shape; in double times 1 + 1/(8 sin) at grazing angles, whose heights above
+ *                            the plane are rounded
+ *     otherwise              16 eps M_l p more, p the perimeter in radians; gradient 64 eps M_l k more, k =
+ *                            sum over edges of angle/distance
+ * The last is an absolute error: a light of solid angle Omega has a relative one of p/(4 Omega) times as many
+ * eps, all digits of it in float for a needle of 1:1000 nearer than ten times its length and lower than 1e-3
+ * over its plane. Next to a light that fills the view it does not count; for a light that must be right by
+ * itself there is sh_polygon.
+ * Stack: up to 120 KiB to 10 bands, 250 KiB beyond, in either precision. One channel costs least; three share
+ * a pass.
+ * Source: as sh_polygon; small lights by rules of degree 1 to 18 over the fan, chosen by bands times angular
+ * diameter. */
+SH_API int SHI_FN(sh_polygons_n)(int bands, int planes, int channels, int sides, size_t points,
+                                 const SHI_T *point, size_t polygons, const int *counts,
+                                 const SHI_T *vertices, const SHI_T *radiance, SHI_T *out)
 {
-    const int status = points && !point ? SH_ERROR_NULL
-                     : SHI_FN(shi_polygons_check)(bands, planes, channels, sides, points, point, polygons, counts, vertices, radiance, out);
+    const int status = points && !point
+                         ? SH_ERROR_NULL
+                         : SHI_FN(shi_polygons_check)(bands, planes, channels, sides, points, point, polygons,
+                                                      counts, vertices, radiance, out);
     if (status || !points) return status;
-    return SHI_FN(shi_polygons_any)(bands, planes, channels, sides, points, point, NULL, 0, polygons, counts, vertices, radiance, out);
+    return SHI_FN(shi_polygons_any)(bands, planes, channels, sides, points, point, NULL, 0, polygons, counts,
+                                    vertices, radiance, out);
 }
 
 /* One point: out[channels][planes][N]. */
 SH_API int SHI_FN(sh_polygons)(int bands, int planes, int channels, int sides, const SHI_T point[3],
-                               size_t polygons, const int *counts, const SHI_T *vertices, const SHI_T *radiance, SHI_T *out)
+                               size_t polygons, const int *counts, const SHI_T *vertices,
+                               const SHI_T *radiance, SHI_T *out)
 {
-    return SHI_FN(sh_polygons_n)(bands, planes, channels, sides, 1, point, polygons, counts, vertices, radiance, out);
+    return SHI_FN(sh_polygons_n)(bands, planes, channels, sides, 1, point, polygons, counts, vertices,
+                                 radiance, out);
 }
 
 /* Nodes first .. first+nodes-1 of a grid (x fastest), as sh_spheres_grid: out[nodes][channels][planes][N]. */
-SH_API int SHI_FN(sh_polygons_grid)(int bands, int planes, int channels, int sides, const SHI_FN(sh_grid) *grid, size_t first, size_t nodes,
-                                    size_t polygons, const int *counts, const SHI_T *vertices, const SHI_T *radiance, SHI_T *out)
+SH_API int SHI_FN(sh_polygons_grid)(int bands, int planes, int channels, int sides,
+                                    const SHI_FN(sh_grid) *grid, size_t first, size_t nodes, size_t polygons,
+                                    const int *counts, const SHI_T *vertices, const SHI_T *radiance,
+                                    SHI_T *out)
 {
     int status;
     if (!grid) return SH_ERROR_NULL;
     status = SHI_FN(shi_check_grid)(grid, first, nodes);
-    if (!status) status = SHI_FN(shi_polygons_check)(bands, planes, channels, sides, nodes, NULL, polygons, counts, vertices, radiance, out);
+    if (!status)
+        status = SHI_FN(shi_polygons_check)(bands, planes, channels, sides, nodes, NULL, polygons, counts,
+                                            vertices, radiance, out);
     if (status || !nodes) return status;
-    return SHI_FN(shi_polygons_any)(bands, planes, channels, sides, nodes, NULL, grid, first, polygons, counts, vertices, radiance, out);
+    return SHI_FN(shi_polygons_any)(bands, planes, channels, sides, nodes, NULL, grid, first, polygons,
+                                    counts, vertices, radiance, out);
 }
 
 /* ---- WR18's route ---- */
@@ -5669,14 +5813,18 @@ SHI_INLINE void shi_zonal_steps(int n, double *steps)
     }
 }
 
-SHI_NOINLINE int shi_polygon_zonal_engine(int bands, int tight, const double axis[3], const double point[3], size_t count,
-                                          const void *vertices, int floats, double *s, double *grad)
+SHI_NOINLINE int shi_polygon_zonal_engine(int bands, int tight, const double axis[3], const double point[3],
+                                          size_t count, const void *vertices, int floats, double *s,
+                                          double *grad)
 {
-    double c[SH_MAX_POLYGON_BANDS * SH_MAX_POLYGON_BANDS], g[3 * SH_MAX_POLYGON_BANDS * SH_MAX_POLYGON_BANDS], spread;
+    double c[SH_MAX_POLYGON_BANDS * SH_MAX_POLYGON_BANDS], g[3 * SH_MAX_POLYGON_BANDS * SH_MAX_POLYGON_BANDS],
+        spread;
     const int size = bands * bands;
-    int l, k, i, status = shi_polygon_engine(1, SH_BOTH, tight, point, count, vertices, floats, c, NULL, &spread);
+    int l, k, i,
+        status = shi_polygon_engine(1, SH_BOTH, tight, point, count, vertices, floats, c, NULL, &spread);
     if (status == SH_OK && spread >= (tight ? 0.25 : 1e-6)) {
-        double edge[14], steps[5 * SH_MAX_POLYGON_BANDS], sums[SH_MAX_POLYGON_BANDS], slopes[3 * SH_MAX_POLYGON_BANDS], sign;
+        double edge[14], steps[5 * SH_MAX_POLYGON_BANDS], sums[SH_MAX_POLYGON_BANDS],
+            slopes[3 * SH_MAX_POLYGON_BANDS], sign;
         shi_scene scene;
         size_t e;
         shi_scene_open(&scene, point, count, vertices, floats);
@@ -5684,7 +5832,8 @@ SHI_NOINLINE int shi_polygon_zonal_engine(int bands, int tight, const double axi
         memset(sums, 0, sizeof sums);
         memset(slopes, 0, sizeof slopes);
         for (e = 0; e < count; e++)
-            if (shi_zonal_edge(&scene, e, edge)) SHI_ONE(shi_polygon_zonal_edge)(bands, axis, edge, steps, sums, grad ? slopes : NULL);
+            if (shi_zonal_edge(&scene, e, edge))
+                SHI_ONE(shi_polygon_zonal_edge)(bands, axis, edge, steps, sums, grad ? slopes : NULL);
         /* the engine's own sign of the side */
         shi_polygon_engine(1, SH_SIGNED, tight, point, count, vertices, floats, g, NULL, NULL);
         sign = g[0] == c[0] ? -1 : 1;
@@ -5694,7 +5843,8 @@ SHI_NOINLINE int shi_polygon_zonal_engine(int bands, int tight, const double axi
         return SH_OK;
     }
     /* small, in the plane: from the coefficients, by the addition theorem */
-    status = shi_polygon_engine(bands, SH_BOTH, tight, point, count, vertices, floats, c, grad ? g : NULL, NULL);
+    status = shi_polygon_engine(bands, SH_BOTH, tight, point, count, vertices, floats, c, grad ? g : NULL,
+                                NULL);
     {
         double y[SH_MAX_POLYGON_BANDS * SH_MAX_POLYGON_BANDS];
         sh_eval_f64(bands, axis, y);
@@ -5713,17 +5863,21 @@ SHI_NOINLINE int shi_polygon_zonal_engine(int bands, int tight, const double axi
 
 #endif /* SHI_BITS == 64 */
 
-/* Integrals of P_l(axis . u) over the directions u of a polygon, s[bands], and their gradient by the point, grad[3][bands]
- * (NULL: none); from both sides. The zonal harmonics about the axis are sqrt((2l+1)/(4 pi)) s[l].
+/* Integrals of P_l(axis . u) over the directions u of a polygon, s[bands], and their gradient by the point,
+ * grad[3][bands] (NULL: none); from both sides. The zonal harmonics about the axis are sqrt((2l+1)/(4 pi))
+ * s[l].
  *   axis  any length but zero
- * Error:  64 eps sum |Omega_fan| (|P_l| <= 1), gradient 64 eps sum_fan (|grad Omega_fan| + sqrt(l(l+1)/2) Omega_fan/d).
- * Source: WR18 Eq. 20-32 in the robust form, and the recurrence of its gradient; below a solid angle where the recurrence
+ * Error:  64 eps sum |Omega_fan| (|P_l| <= 1), gradient 64 eps sum_fan (|grad Omega_fan| + sqrt(l(l+1)/2)
+ *         Omega_fan/d).
+ * Source: WR18 Eq. 20-32 in the robust form, and the recurrence of its gradient; below a solid angle where
+ * the recurrence
  *         has lost its digits, from sh_polygon's coefficients. */
-SH_API int SHI_FN(sh_polygon_zonal)(int bands, const SHI_T axis[3], const SHI_T point[3], size_t count, const SHI_T *vertices,
-                                    SHI_T *s, SHI_T *grad)
+SH_API int SHI_FN(sh_polygon_zonal)(int bands, const SHI_T axis[3], const SHI_T point[3], size_t count,
+                                    const SHI_T *vertices, SHI_T *s, SHI_T *grad)
 {
     double a[3], p[3], out[SH_MAX_POLYGON_BANDS], g[3 * SH_MAX_POLYGON_BANDS], size = 0;
-    int k, status = axis && s ? SHI_FN(shi_polygon_check)(bands, SH_BOTH, point, count, vertices) : SH_ERROR_NULL;
+    int k, status = axis && s ? SHI_FN(shi_polygon_check)(bands, SH_BOTH, point, count, vertices)
+                              : SH_ERROR_NULL;
     if (status) return status;
     if (!SHI_FN(shi_finite)(axis, 3)) return SH_ERROR_NOT_FINITE;
     for (k = 0; k < 3; k++) {
@@ -5735,7 +5889,8 @@ SH_API int SHI_FN(sh_polygon_zonal)(int bands, const SHI_T axis[3], const SHI_T 
     for (k = 0; k < 3; k++) a[k] /= size;
     size = sqrt(a[0] * a[0] + a[1] * a[1] + a[2] * a[2]);
     for (k = 0; k < 3; k++) a[k] /= size;
-    status = shi_polygon_zonal_engine(bands, SHI_BITS == 64, a, p, count, vertices, SHI_BITS == 32, out, grad ? g : NULL);
+    status = shi_polygon_zonal_engine(bands, SHI_BITS == 64, a, p, count, vertices, SHI_BITS == 32, out,
+                                      grad ? g : NULL);
     SHI_FN(shi_polygon_store)((size_t)bands, out, s);
     if (grad) SHI_FN(shi_polygon_store)(3 * (size_t)bands, g, grad);
     return status;
@@ -5765,9 +5920,11 @@ SHI_INLINE int SHI_FN(shi_lobe_set)(int bands, const double **dirs, const double
     return sizes[i];
 }
 
-/* One channel, one point: S_l of all polygons at the lobes, then the weights once. sums: 4 n vectors per vector of lobes. */
-SHI_INLINE int SHI_FN(shi_zonal_point)(int n, int planes, int sides, const SHI_T x[3], size_t polygons, const int *counts, const SHI_T *vertices,
-                                       const SHI_T *radiance, int vectors, const SHI_MANY(shi_vector) *dirs, const SHI_T *weights,
+/* One channel, one point: S_l of all polygons at the lobes, then the weights once. sums: 4 n vectors per
+ * vector of lobes. */
+SHI_INLINE int SHI_FN(shi_zonal_point)(int n, int planes, int sides, const SHI_T x[3], size_t polygons,
+                                       const int *counts, const SHI_T *vertices, const SHI_T *radiance,
+                                       int vectors, const SHI_MANY(shi_vector) *dirs, const SHI_T *weights,
                                        const double *exact_steps, SHI_MANY(shi_vector) *sums, SHI_T *out)
 {
     const int size = n * n;
@@ -5784,9 +5941,11 @@ SHI_INLINE int SHI_FN(shi_zonal_point)(int n, int planes, int sides, const SHI_T
         double omega, signed_omega, c[1];
         SHI_T f;
         shi_scene scene;
-        int one = shi_polygon_engine(1, SH_SIGNED, 0, point, (size_t)counts[g], v, SHI_BITS == 32, c, NULL, &omega);
+        int one = shi_polygon_engine(1, SH_SIGNED, 0, point, (size_t)counts[g], v, SHI_BITS == 32, c, NULL,
+                                     &omega);
         if (one > 0 || omega == 0) {                        /* in the plane: rare */
-            double value[SH_MAX_POLYGON_BANDS * SH_MAX_POLYGON_BANDS], grad[3 * SH_MAX_POLYGON_BANDS * SH_MAX_POLYGON_BANDS];
+            double value[SH_MAX_POLYGON_BANDS * SH_MAX_POLYGON_BANDS],
+                grad[3 * SH_MAX_POLYGON_BANDS * SH_MAX_POLYGON_BANDS];
             if (!any) memset(extra, 0, (size_t)(4 * size) * sizeof extra[0]);
             any = 1;
             if (one > status) status = one;
@@ -5796,7 +5955,7 @@ SHI_INLINE int SHI_FN(shi_zonal_point)(int n, int planes, int sides, const SHI_T
             for (l = 0; planes == SH_GRADIENT && l < 3 * size; l++) extra[size + l] += (double)r * grad[l];
             continue;
         }
-        signed_omega = c[0] * 3.5449077018110320546;        /* positive in front, where the edges count negative */
+        signed_omega = c[0] * 3.5449077018110320546; /* positive in front, where the edges count negative */
         if (sides == SH_FRONT && signed_omega < 0) continue;
         f = sides == SH_SIGNED || signed_omega > 0 ? -r : r;
         shi_scene_open(&scene, point, (size_t)counts[g], v, SHI_BITS == 32);
@@ -5814,7 +5973,8 @@ SHI_INLINE int SHI_FN(shi_zonal_point)(int n, int planes, int sides, const SHI_T
                 SHI_MANY(shi_vector) *const to = sums + d * 4 * n;
                 for (l = 0; l < n; l++) one_s[l] = SHI_MANY(shi_splat)(0);
                 for (l = 0; planes == SH_GRADIENT && l < 3 * n; l++) one_g[l] = SHI_MANY(shi_splat)(0);
-                SHI_MANY(shi_polygon_zonal_edge)(n, dirs + 3 * d, edge, steps, one_s, planes == SH_GRADIENT ? one_g : NULL);
+                SHI_MANY(shi_polygon_zonal_edge)(n, dirs + 3 * d, edge, steps, one_s,
+                                                 planes == SH_GRADIENT ? one_g : NULL);
                 for (l = 1; l < n; l++) to[l] += f * one_s[l];
                 for (l = 0; planes == SH_GRADIENT && l < 3 * n; l++) to[n + l] += f * one_g[l];
             }
@@ -5823,27 +5983,32 @@ SHI_INLINE int SHI_FN(shi_zonal_point)(int n, int planes, int sides, const SHI_T
     }
     for (k = 0; k < planes; k++) {
         SHI_MANY(shi_polygon_lobe_sum)(n, vectors, weights, sums + k * n, out + k * size);
-        for (l = 0; any && l < size; l++) out[k * size + l] = SHI_FN(shi_polygon_round)((double)out[k * size + l] + extra[k * size + l]);
+        for (l = 0; any && l < size; l++)
+            out[k * size + l] = SHI_FN(shi_polygon_round)((double)out[k * size + l] + extra[k * size + l]);
     }
     return status;
 }
 
-/* sh_polygons_n by WR18's own route: zonal integrals of all polygons about 2b-1 fixed lobes, then the sparse rotation (weights)
- * once per point and plane. Same parameters, layout, sides and degenerate cases.
+/* sh_polygons_n by WR18's own route: zonal integrals of all polygons about 2b-1 fixed lobes, then the sparse
+ * rotation (weights) once per point and plane. Same parameters, layout, sides and degenerate cases.
  * Kept as the published method in its robust form: sh_polygons_n is faster and holds small lights.
- * Error per polygon of radiance 1:  24 eps M_l (2 + p), gradient 128 eps M_l k, p and k as in sh_polygons_n: absolute, so that
+ * Error per polygon of radiance 1:  24 eps M_l (2 + p), gradient 128 eps M_l k, p and k as in sh_polygons_n:
+ *                                   absolute, so that
  *         relative accuracy falls with the square of size/distance (100 % at 1e-4 in float).
  * Source: WR18 Algorithm 1, Eq. 20-33; lobes and weights by tools/gen_lobes.py. */
-SH_API int SHI_FN(sh_polygons_zonal_n)(int bands, int planes, int channels, int sides, size_t points, const SHI_T *point,
-                                       size_t polygons, const int *counts, const SHI_T *vertices, const SHI_T *radiance, SHI_T *out)
+SH_API int SHI_FN(sh_polygons_zonal_n)(int bands, int planes, int channels, int sides, size_t points,
+                                       const SHI_T *point, size_t polygons, const int *counts,
+                                       const SHI_T *vertices, const SHI_T *radiance, SHI_T *out)
 {
     enum { W = SHI_MANY(shi_polygon_lanes), MOST = (31 + W - 1) / W };
     const double *set_dirs, *set_weights;
     SHI_MANY(shi_vector) dirs[3 * MOST], sums[4 * SH_MAX_POLYGON_BANDS * MOST];
     SHI_T weights[SH_MAX_POLYGON_BANDS * SH_MAX_POLYGON_BANDS * MOST * W];
     double steps[5 * SH_MAX_POLYGON_BANDS];
-    int lobes, vectors, i, d, k, l, c, status = points && !point ? SH_ERROR_NULL
-        : SHI_FN(shi_polygons_check)(bands, planes, channels, sides, points, point, polygons, counts, vertices, radiance, out);
+    int lobes, vectors, i, d, k, l, c,
+        status = points && !point ? SH_ERROR_NULL
+                                  : SHI_FN(shi_polygons_check)(bands, planes, channels, sides, points, point,
+                                                               polygons, counts, vertices, radiance, out);
     size_t p;
     if (status || !points) return status;
     lobes = 2 * SHI_FN(shi_lobe_set)(bands, &set_dirs, &set_weights) - 1;
@@ -5857,7 +6022,8 @@ SH_API int SHI_FN(sh_polygons_zonal_n)(int bands, int planes, int channels, int 
     for (l = 0; l < bands; l++) {
         const double f = sqrt((2 * l + 1) / 12.566370614359172954);
         for (i = l * l; i < (l + 1) * (l + 1); i++)
-            for (d = 0; d < vectors * W; d++) weights[i * vectors * W + d] = d < lobes ? (SHI_T)(f * set_weights[i * lobes + d]) : SHI_C(0);
+            for (d = 0; d < vectors * W; d++)
+                weights[i * vectors * W + d] = d < lobes ? (SHI_T)(f * set_weights[i * lobes + d]) : SHI_C(0);
     }
     shi_zonal_steps(bands, steps);
     for (p = 0; p < points; p++) {
@@ -5866,7 +6032,8 @@ SH_API int SHI_FN(sh_polygons_zonal_n)(int bands, int planes, int channels, int 
             continue;
         }
         for (c = 0; c < channels; c++) {
-            const int one = SHI_FN(shi_zonal_point)(bands, planes, sides, point + 3 * p, polygons, counts, vertices,
+            const int one = SHI_FN(shi_zonal_point)(
+                bands, planes, sides, point + 3 * p, polygons, counts, vertices,
                 radiance ? radiance + (size_t)c * polygons : NULL, vectors, dirs, weights, steps, sums,
                 out + (p * (size_t)channels + (size_t)c) * (size_t)(planes * bands * bands));
             if (one > status && status >= 0) status = one;
@@ -5879,25 +6046,33 @@ SH_API int SHI_FN(sh_polygons_zonal_n)(int bands, int planes, int channels, int 
 
 SHI_INLINE void SHI_FN(shi_quad_corner)(const SHI_T *quad, int width, int height, int x, int y, SHI_T out[3])
 {
-    const SHI_T u = (SHI_T)x / (SHI_T)width, v = (SHI_T)y / (SHI_T)height, u1 = (SHI_T)(width - x) / (SHI_T)width, v1 = (SHI_T)(height - y) / (SHI_T)height;
+    const SHI_T u = (SHI_T)x / (SHI_T)width, v = (SHI_T)y / (SHI_T)height,
+                u1 = (SHI_T)(width - x) / (SHI_T)width, v1 = (SHI_T)(height - y) / (SHI_T)height;
     int k;
-    for (k = 0; k < 3; k++) out[k] = v1 * (u1 * quad[k] + u * quad[3 + k]) + v * (u1 * quad[9 + k] + u * quad[6 + k]);
+    for (k = 0; k < 3; k++)
+        out[k] = v1 * (u1 * quad[k] + u * quad[3 + k]) + v * (u1 * quad[9 + k] + u * quad[6 + k]);
 }
 
-/* A quadrilateral with a texture, as polygons of one radiance each: texels that differ by no more than a tolerance merge, by a
- * quadtree over the texture (WR18 Fig. 10; M22's future work). The result is what sh_polygons_n takes.
+/* A quadrilateral with a texture, as polygons of one radiance each: texels that differ by no more than a
+ * tolerance merge, by a quadtree over the texture (WR18 Fig. 10; M22's future work). The result is what
+ * sh_polygons_n takes.
  *
  *   quad       [4][3], planar, convex; texel (0,0) lies at corner 0, x runs to corner 1, y to corner 3
  *   texels     [height][width][channels]
- *   tolerance  >= 0: a piece is kept whole if no texel of it is further than this from the mean, in any channel
+ *   tolerance  >= 0: a piece is kept whole if no texel of it is further than this from the mean, in any
+ *              channel
  *   most       pieces that fit in the arrays; width*height always suffices
  *   pieces     receives their number; with counts, vertices and radiance NULL, only this is done
- *   counts     [pieces], all 4;  vertices [pieces][4][3];  radiance [channels][pieces]: the means; stride *pieces
+ *   counts     [pieces], all 4;  vertices [pieces][4][3];  radiance [channels][pieces]: the means; stride
+ *                                *pieces
  *
- * Call it once with NULLs for the number, again with arrays. Pieces without light in any channel are left out.
- * Error: |sum of pieces - sum of texels| <= tolerance times the norm of the whole quad's coefficients, per channel. */
-SH_API int SHI_FN(sh_textured_quad)(const SHI_T quad[12], int width, int height, int channels, const SHI_T *texels, SHI_T tolerance,
-                                    size_t most, size_t *pieces, int *counts, SHI_T *vertices, SHI_T *radiance)
+ * Call it once with NULLs for the number, again with arrays. Pieces without light in any channel are left
+ * out.
+ * Error: |sum of pieces - sum of texels| <= tolerance times the norm of the whole quad's coefficients, per
+ * channel. */
+SH_API int SHI_FN(sh_textured_quad)(const SHI_T quad[12], int width, int height, int channels,
+                                    const SHI_T *texels, SHI_T tolerance, size_t most, size_t *pieces,
+                                    int *counts, SHI_T *vertices, SHI_T *radiance)
 {
     /* a stack of rectangles x0 y0 x1 y1: depth first, three siblings wait per level */
     int stack[4 * 3 * 34], top = 0, pass, c, x, y, k;
@@ -5920,12 +6095,14 @@ SH_API int SHI_FN(sh_textured_quad)(const SHI_T quad[12], int width, int height,
                 const SHI_T *const t = texels + c;
                 double sum = 0, mean;
                 for (y = y0; y < y1; y++)
-                    for (x = x0; x < x1; x++) sum += (double)t[((size_t)y * (size_t)width + (size_t)x) * (size_t)channels];
+                    for (x = x0; x < x1; x++)
+                        sum += (double)t[((size_t)y * (size_t)width + (size_t)x) * (size_t)channels];
                 mean = sum / ((double)(x1 - x0) * (double)(y1 - y0));
                 if (mean != 0) dark = 0;
                 for (y = y0; y < y1 && flat; y++)
                     for (x = x0; x < x1; x++)
-                        if (fabs((double)t[((size_t)y * (size_t)width + (size_t)x) * (size_t)channels] - mean) > (double)tolerance) {
+                        if (fabs((double)t[((size_t)y * (size_t)width + (size_t)x) * (size_t)channels] - mean)
+                            > (double)tolerance) {
                             flat = 0;
                             break;
                         }
@@ -5933,7 +6110,8 @@ SH_API int SHI_FN(sh_textured_quad)(const SHI_T quad[12], int width, int height,
             if (!flat && (x1 - x0 > 1 || y1 - y0 > 1)) {
                 const int xm = x1 - x0 > 1 ? (x0 + x1) / 2 : x1, ym = y1 - y0 > 1 ? (y0 + y1) / 2 : y1;
                 for (k = 3; k >= 0; k--) {
-                    const int ax = k & 1 ? xm : x0, bx = k & 1 ? x1 : xm, ay = k & 2 ? ym : y0, by = k & 2 ? y1 : ym;
+                    const int ax = k & 1 ? xm : x0, bx = k & 1 ? x1 : xm, ay = k & 2 ? ym : y0,
+                              by = k & 2 ? y1 : ym;
                     if (ax == bx || ay == by) continue;
                     stack[top++] = ax;
                     stack[top++] = ay;
@@ -5948,7 +6126,9 @@ SH_API int SHI_FN(sh_textured_quad)(const SHI_T quad[12], int width, int height,
                 for (c = 0; c < channels; c++) {
                     double sum = 0;
                     for (y = y0; y < y1; y++)
-                        for (x = x0; x < x1; x++) sum += (double)texels[((size_t)y * (size_t)width + (size_t)x) * (size_t)channels + (size_t)c];
+                        for (x = x0; x < x1; x++)
+                            sum += (double)texels[((size_t)y * (size_t)width + (size_t)x) * (size_t)channels
+                                                  + (size_t)c];
                     radiance[(size_t)c * total + n] = (SHI_T)(sum / ((double)(x1 - x0) * (double)(y1 - y0)));
                 }
                 counts[n] = 4;

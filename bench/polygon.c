@@ -23,8 +23,8 @@ static void library(const bench_case *self)
 static void library_zonal(const bench_case *self)
 {
     const polygon_input *in = self->input;
-    FN(sh_polygons_zonal_n)(in->bands, in->gradient ? SH_GRADIENT : SH_VALUES, 1, SH_BOTH, in->points, in->point, 1,
-                            &in->sides, in->vertices, NULL, in->out);
+    FN(sh_polygons_zonal_n)(in->bands, in->gradient ? SH_GRADIENT : SH_VALUES, 1, SH_BOTH, in->points,
+                            in->point, 1, &in->sides, in->vertices, NULL, in->out);
 }
 
 /* One point per call: full accuracy everywhere, in double inside. */
@@ -40,8 +40,8 @@ static void library_one(const bench_case *self)
     }
 }
 
-/* The closed form in edge frames in the library's own lanes, with its own geometry of vertices and arcs: what separates it
- * from `library` is closed form against Gauss nodes alone. */
+/* The closed form in edge frames in the library's own lanes, with its own geometry of vertices and arcs: what
+ * separates it from `library` is closed form against Gauss nodes alone. */
 #define CAT3_(a, b, c) a##b##c
 #define CAT3(a, b, c)  CAT3_(a, b, c)
 #if SH_VECTOR_BYTES == 0
@@ -83,19 +83,22 @@ INLINE void frame_lanes(const int bands, const int gradient, const polygon_input
             else b = first;
             (void)MANY(shi_polygon_arc)(&a, &b, e, 0, 0, &arc, &bad);
             if (i > 0 && i + 1 < in->sides) {
-                const V even = 1 + first.w[0] * a.w[0] + first.w[1] * a.w[1] + first.w[2] * a.w[2] + first.w[0] * b.w[0]
-                             + first.w[1] * b.w[1] + first.w[2] * b.w[2] + a.w[0] * b.w[0] + a.w[1] * b.w[1] + a.w[2] * b.w[2];
+                const V even = 1 + first.w[0] * a.w[0] + first.w[1] * a.w[1] + first.w[2] * a.w[2]
+                             + first.w[0] * b.w[0] + first.w[1] * b.w[1] + first.w[2] * b.w[2]
+                             + a.w[0] * b.w[0] + a.w[1] * b.w[1] + a.w[2] * b.w[2];
                 double n[3];
                 FN(shi_fan_normal)(in->vertices, from, to, n);
-                omega += 2 * MANY(shi_polygon_angle)(MANY(shi_polygon_height)(x, in->vertices, n) * first.inverse * a.inverse
-                                                     * b.inverse, even);
+                omega += 2 * MANY(shi_polygon_angle)(MANY(shi_polygon_height)(x, in->vertices, n)
+                                                     * first.inverse * a.inverse * b.inverse, even);
             }
             MANY(shi_polygon_turn)(arc.half, &c, &s);
-            frame_edge_lanes(bands, gradient, in->frame, arc.mid, arc.along, arc.mu, 2 * arc.half, c, s, arc.k0, arc.k1, out);
+            frame_edge_lanes(bands, gradient, in->frame, arc.mid, arc.along, arc.mu, 2 * arc.half, c, s,
+                             arc.k0, arc.k1, out);
             a = b;
         }
         out[0] = omega * C(0.28209479177387814);
-        MANY(shi_transpose_block)((const real *)(const void *)out, W, rows, in->out + p * (size_t)rows, (size_t)rows, W);
+        MANY(shi_transpose_block)((const real *)(const void *)out, W, rows, in->out + p * (size_t)rows,
+                                  (size_t)rows, W);
     }
 }
 
@@ -119,8 +122,8 @@ static void edge_frame_lanes(const bench_case *self)
 
 /* ---- tables of the lobe forms ---- */
 
-/* 2n-1 directions on a spiral over half the sphere: far from the best set, but of condition below 50 in every band,
- * and what they cost does not depend on where they are. */
+/* 2n-1 directions on a spiral over half the sphere: far from the best set, but of condition below 50 in every
+ * band, and what they cost does not depend on where they are. */
 static real *make_lobes(int bands)
 {
     const int lobes = 2 * bands - 1;
@@ -135,8 +138,8 @@ static real *make_lobes(int bands)
     return out;
 }
 
-/* The integral of P_l about lobe d is sum over m of B_dm L_lm, B_dm = 4 pi/(2l+1) Y_lm(lobe d): weights are the
- * pseudo-inverse (B^T B)^-1 B^T, by Gauss-Jordan in double. */
+/* The integral of P_l about lobe d is sum over m of B_dm L_lm, B_dm = 4 pi/(2l+1) Y_lm(lobe d): weights are
+ * the pseudo-inverse (B^T B)^-1 B^T, by Gauss-Jordan in double. */
 static real *make_weights(int bands, const real *lobes)
 {
     enum { MAX = POLYGON_MAX_BANDS, SIZE = 2 * MAX - 1 };
@@ -211,7 +214,8 @@ static polygon_frame *make_frame(int bands)
     for (a = 0; a < 16; a++)
         for (b = 0; b < 32; b++) {
             double w;
-            const double z = 2 * shi_gauss_node(16, a, &w) - 1, r = sqrt(1 - z * z), p = 6.283185307179586 * b / 32;
+            const double z = 2 * shi_gauss_node(16, a, &w) - 1, r = sqrt(1 - z * z),
+                         p = 6.283185307179586 * b / 32;
             const double u[3] = { r * cos(p), r * sin(p), z }, v[3] = { u[0], -u[2], u[1] };
             w *= 2 * 6.283185307179586 / 32;
             sh_eval_f64(bands, u, y);
@@ -261,7 +265,8 @@ static void suite(const char *name, int sides)
     size_t i, b;
     int gradient, k;
 
-    bench_suite(name, BENCH_PRECISION, "point", "one polygon seen from 64 points, about as far as it is wide");
+    bench_suite(name, BENCH_PRECISION, "point",
+                "one polygon seen from 64 points, about as far as it is wide");
     bench_base("values", "wang_ramamoorthi");
     bench_base("gradient", "wang_ramamoorthi");
     points = bench_alloc(3 * POINTS, sizeof(real));
@@ -277,8 +282,8 @@ static void suite(const char *name, int sides)
         for (b = 0; b < sizeof polygon_bands / sizeof polygon_bands[0]; b++) {
             polygon_input *in = bench_alloc(1, sizeof *in);
             const int bands = polygon_bands[b], planes = gradient ? 4 : 1;
-            /* float: WR18 as printed loses what its lobes' condition and cos^-1 cost; monomials lose a digit more
-             * with each band or two, all of them beyond nine. Double shows that both are right. */
+            /* float: WR18 as printed loses what its lobes' condition and cos^-1 cost; monomials lose a digit
+             * more with each band or two, all of them beyond nine. Double shows that both are right. */
             const double wr = BENCH_PRECISION == 32 ? 3e-3 : 1e-11;
             const double mono = BENCH_PRECISION == 32 ? (bands <= 5 ? 3e-2 : 0) : 1e-8;
             in->bands = bands;

@@ -1,17 +1,18 @@
-/* polygon_forms.c - polygon lights by zonal integrals about 2n-1 lobes: WR18's recurrence on Legendre polynomials,
- * and the recurrence on monomials of Snyder 1996 that it replaced (WR18 section 4.1 and Table 2); and by the closed form
- * in each edge's frame. The baselines of suite `polygon`, for convex polygons that run positively about the point, as
- * everywhere in WR18.
+/* polygon_forms.c - polygon lights by zonal integrals about 2n-1 lobes: WR18's recurrence on Legendre
+ * polynomials, and the recurrence on monomials of Snyder 1996 that it replaced (WR18 section 4.1 and Table
+ * 2); and by the closed form in each edge's frame. The baselines of suite `polygon`, for convex polygons that
+ * run positively about the point, as everywhere in WR18.
  *
- * WR18 Algorithm 1 with its slips mended: 1/l on B_{l-2}, S_0 from interior angles, B_1 accumulated. Its gradient is
- * boundary transport: d S_l/dx = sum over edges of mu_e times the integral of P_l(z)/|p| along the edge. */
+ * WR18 Algorithm 1 with its slips mended: 1/l on B_{l-2}, S_0 from interior angles, B_1 accumulated. Its
+ * gradient is boundary transport: d S_l/dx = sum over edges of mu_e times the integral of P_l(z)/|p| along
+ * the edge. */
 #include "polygon.h"
 
 #include <math.h>
 #include <string.h>
 
 typedef struct edge {
-    real w[3], lambda[3], mu[3];        /* frame: vertex direction, along the edge, normal of its great circle */
+    real w[3], lambda[3], mu[3]; /* frame: vertex direction, along the edge, normal of its great circle */
     real angle, c, s;                   /* gamma, its cosine and sine */
     real k0, k1, big_k0, big_k1;        /* 1/|p| = k0 cos + k1 sin; its integral at 0 and at gamma */
 } edge;
@@ -64,13 +65,15 @@ INLINE real prepare(const int sides, const int gradient, const real point[3], co
 
 /* 1/l and (2l-1)/l^2 and the like are constants of the forms */
 static const real inverse[POLYGON_MAX_BANDS + 2] = {
-    C(0.0), C(1.0), C(1.0) / 2, C(1.0) / 3, C(1.0) / 4, C(1.0) / 5, C(1.0) / 6, C(1.0) / 7, C(1.0) / 8, C(1.0) / 9,
+    C(0.0), C(1.0), C(1.0) / 2, C(1.0) / 3, C(1.0) / 4, C(1.0) / 5, C(1.0) / 6, C(1.0) / 7, C(1.0) / 8,
+    C(1.0) / 9,
     C(1.0) / 10, C(1.0) / 11, C(1.0) / 12, C(1.0) / 13, C(1.0) / 14, C(1.0) / 15, C(1.0) / 16
 };
 
-/* S_l about one lobe, l < bands, and (gradient) the three planes of its gradient: sum[1 or 4][bands]. Eq. 29-32.
- * Degrees outside, edges inside, as Algorithm 1 has them: edges do not wait for each other. A vertex belongs to two
- * edges, so P_l(omega.w) is computed once for both. */
+/* S_l about one lobe, l < bands, and (gradient) the three planes of its gradient: sum[1 or 4][bands]. Eq.
+ * 29-32.
+ * Degrees outside, edges inside, as Algorithm 1 has them: edges do not wait for each other. A vertex belongs
+ * to two edges, so P_l(omega.w) is computed once for both. */
 INLINE void legendre_lobe(const int bands, const int gradient, const int sides, const edge *edges,
                           const real omega[3], const real s0, real *RESTRICT sum)
 {
@@ -102,7 +105,8 @@ INLINE void legendre_lobe(const int bands, const int gradient, const int sides, 
         for (i = 0; i < sides; i++) {
             const int j = i + 1 < sides ? i + 1 : 0;
             const edge *e = &edges[i];
-            const real cl = up[i] * p[j] + b[i] * p[i] + sag[i] * d1[i] + C(l - 1) * b2[i];     /* l times Eq. 31 */
+            const real cl = up[i] * p[j] + b[i] * p[i] + sag[i] * d1[i]
+                          + C(l - 1) * b2[i]; /* l times Eq. 31 */
             const real bl = next_p * inverse[l] * cl - next_p1 * b2[i];                         /* Eq. 30 */
             const real dl = odd * b1[i] + d2[i];                                                /* Eq. 32 */
             total += c[i] * bl;
@@ -160,7 +164,8 @@ INLINE void monomial_lobe(const int bands, const int gradient, const int sides, 
             const real ik = (d0[i] * zk[i] - d1[i] * zk[j] + C(k - 1) * (aabb[i] * i2[i])) * inverse[k];
             total += c[i] * ik;
             if (gradient) {
-                const real jk = (next[j] * e->big_k1 - next[i] * e->big_k0 + C(k) * (ab[i] * i1[i])) * inverse[k + 1];
+                const real jk = (next[j] * e->big_k1 - next[i] * e->big_k0 + C(k) * (ab[i] * i1[i]))
+                              * inverse[k + 1];
                 for (axis = 0; axis < 3; axis++) g[axis] += e->mu[axis] * jk;
             }
             i2[i] = i1[i];
@@ -216,8 +221,8 @@ INLINE void polygon_light(const int monomial, const int bands, const int gradien
 #define FRAME(name) name
 #include "polygon_frame.h"
 
-INLINE void frame_light(const int bands, const int gradient, const int sides, const polygon_input *in, const real point[3],
-                        real *RESTRICT out)
+INLINE void frame_light(const int bands, const int gradient, const int sides, const polygon_input *in,
+                        const real point[3], real *RESTRICT out)
 {
     edge edges[POLYGON_MAX_SIDES];
     const real s0 = prepare(sides, 1, point, in->vertices, edges);

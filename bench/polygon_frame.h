@@ -1,15 +1,19 @@
-/* polygon_frame.h - an edge's light in closed form in the frame of its arc, turned to the world: the row `edge_frame`.
+/* polygon_frame.h - an edge's light in closed form in the frame of its arc, turned to the world: the row
+ * `edge_frame`.
  *
- * In the frame [middle, along, normal] the integrals over the arc are I_0 = gamma, I_k = 2 sin(k gamma/2)/k, and
+ * In the frame [middle, along, normal] the integrals over the arc are I_0 = gamma, I_k = 2 sin(k gamma/2)/k,
+ * and
  *     e_{l,m} = dY_lm/dz(1,0,0)/(l(l+1)) I_m            l >= 1, m >= 0, l+m odd:   light += M e
  *     f_{l,m} = Y_lm(1,0,0) kc (I_{m-1} + I_{m+1})/2,   f_{l,-m} = Y_lm(1,0,0) ks (I_{m-1} - I_{m+1})/2
  *                                                       l+m even:                  gradient += (M f) normal^T
- * with 1/|p| = kc cos + ks sin from the middle. M = Z(a) X^T Z(b) X Z(g), X the rotation by 90 degrees about x: sparse, and
- * it takes l+m odd to sines only, l+m even to cosines only, so that the two vectors share one pass over its entries.
+ * with 1/|p| = kc cos + ks sin from the middle. M = Z(a) X^T Z(b) X Z(g), X the rotation by 90 degrees about
+ * x: sparse, and it takes l+m odd to sines only, l+m even to cosines only, so that the two vectors share one
+ * pass over its entries.
  *
  * Included with V (a real, or a vector of them), V_SQRT(v) and FRAME(name) defined. */
-INLINE void FRAME(frame_edge)(const int bands, const int gradient, const polygon_frame *table, const V mid[3], const V along[3],
-                              const V mu[3], const V gamma, const V ch, const V sh, const V kc, const V ks, V *RESTRICT out)
+INLINE void FRAME(frame_edge)(const int bands, const int gradient, const polygon_frame *table, const V mid[3],
+                              const V along[3], const V mu[3], const V gamma, const V ch, const V sh,
+                              const V kc, const V ks, V *RESTRICT out)
 {
     enum { MAX = POLYGON_MAX_BANDS, ROW = 2 * MAX - 1 };
     const int size = bands * bands;

@@ -1,9 +1,10 @@
-/* polygon_ref.h - polygons by adaptive quadrature in the plane, in long double: shares nothing with the header's recurrences,
- * edges or spherical triangles.
+/* polygon_ref.h - polygons by adaptive quadrature in the plane, in long double: shares nothing with the
+ * header's recurrences, edges or spherical triangles.
  *
- * The fan of vertex 0 is bisected along longest sides until a piece is small against its distance, then integrated by a
- * 20 x 20 Gauss rule of Y(p/|p|) (p.n)/|p|^3 and of its derivative by the point. p.n is a constant of the plane; it is exact
- * when the differences of coordinates fit 21 bits, which the tests see to where it matters. */
+ * The fan of vertex 0 is bisected along longest sides until a piece is small against its distance, then
+ * integrated by a 20 x 20 Gauss rule of Y(p/|p|) (p.n)/|p|^3 and of its derivative by the point. p.n is a
+ * constant of the plane; it is exact when the differences of coordinates fit 21 bits, which the tests see to
+ * where it matters. */
 #ifndef SH_TESTS_POLYGON_REF_H
 #define SH_TESTS_POLYGON_REF_H
 
@@ -17,16 +18,19 @@
 enum { REF_POLYGON_BANDS = 16, REF_POLYGON_SIZE = 256, REF_POLYGON_NODES = 20 };
 
 typedef struct {
-    long double c[REF_POLYGON_SIZE], g[3][REF_POLYGON_SIZE];    /* sign: positive where vertices run clockwise, i.e. from behind */
-    long double solid, slope;                                   /* sum over the fan of |Omega|, of |grad Omega| */
-    long double nearest, edge;                                  /* distance of the nearest vertex; of an edge over its length */
+    long double c[REF_POLYGON_SIZE],
+        g[3][REF_POLYGON_SIZE]; /* sign: positive where vertices run clockwise, i.e. from behind */
+    long double solid, slope; /* sum over the fan of |Omega|, of |grad Omega| */
+    long double nearest, edge; /* distance of the nearest vertex; of an edge over its length */
 } ref_polygon_light;
 
-/* values and tangential gradient by (l-m) recurrences in long double; not ref_basis, whose jets are 100 times slower */
+/* values and tangential gradient by (l-m) recurrences in long double; not ref_basis, whose jets are 100 times
+ * slower */
 static inline void ref_polygon_basis(int n, const long double u[3], long double *y, long double *g)
 {
     static long double norm[REF_POLYGON_BANDS][REF_POLYGON_BANDS];
-    long double q[REF_POLYGON_BANDS + 2][REF_POLYGON_BANDS + 2], c[REF_POLYGON_BANDS + 1], s[REF_POLYGON_BANDS + 1];
+    long double q[REF_POLYGON_BANDS + 2][REF_POLYGON_BANDS + 2], c[REF_POLYGON_BANDS + 1],
+        s[REF_POLYGON_BANDS + 1];
     const int size = n * n;
     int l, m, k;
     if (norm[0][0] == 0)
@@ -46,7 +50,8 @@ static inline void ref_polygon_basis(int n, const long double u[3], long double 
     for (m = 0; m <= n; m++) {
         q[m][m] = m ? q[m - 1][m - 1] * (2 * m - 1) : 1;
         if (m + 1 <= n) q[m + 1][m] = (2 * m + 1) * u[2] * q[m][m];
-        for (l = m + 2; l <= n; l++) q[l][m] = ((2 * l - 1) * u[2] * q[l - 1][m] - (l + m - 1) * q[l - 2][m]) / (l - m);
+        for (l = m + 2; l <= n; l++)
+            q[l][m] = ((2 * l - 1) * u[2] * q[l - 1][m] - (l + m - 1) * q[l - 2][m]) / (l - m);
     }
     for (l = 0; l < n; l++)
         for (m = 0; m <= l; m++)
@@ -63,10 +68,13 @@ static inline void ref_polygon_basis(int n, const long double u[3], long double 
             }
 }
 
-static inline void ref_polygon_triangle(int n, const long double *a, const long double *b, const long double *c, long double height,
-                                        const long double *area, ref_polygon_light *out, long double slope[3], long double *solid, int depth)
+static inline void ref_polygon_triangle(int n, const long double *a, const long double *b,
+                                        const long double *c, long double height, const long double *area,
+                                        ref_polygon_light *out, long double slope[3], long double *solid,
+                                        int depth)
 {
-    static long double x[REF_POLYGON_NODES], w[REF_POLYGON_NODES], y[REF_POLYGON_SIZE], g[3 * REF_POLYGON_SIZE];
+    static long double x[REF_POLYGON_NODES], w[REF_POLYGON_NODES], y[REF_POLYGON_SIZE],
+        g[3 * REF_POLYGON_SIZE];
     const long double *v[3];
     long double side[3] = { 0, 0, 0 }, middle[3], d = 0, radius = 0;
     int i, j, k, longest;
@@ -89,7 +97,8 @@ static inline void ref_polygon_triangle(int n, const long double *a, const long 
     longest = side[0] > side[1] ? (side[0] > side[2] ? 0 : 2) : (side[1] > side[2] ? 1 : 2);
     if (sqrtl(radius) > 0.5L * sqrtl(d) && depth < 300) {
         long double half[3];
-        const long double *const p = v[longest], *const q = v[(longest + 1) % 3], *const r = v[(longest + 2) % 3];
+        const long double *const p = v[longest], *const q = v[(longest + 1) % 3],
+                                 *const r = v[(longest + 2) % 3];
         for (k = 0; k < 3; k++) {
             middle[k] = (p[k] + q[k]) / 2;
             half[k] = area[k] / 2;

@@ -1,4 +1,5 @@
-/* test_polygon.c - sh_polygon.h against quadrature in the plane, against itself (invariants), and at every degenerate row. */
+/* test_polygon.c - sh_polygon.h against quadrature in the plane, against itself (invariants), and at every
+ * degenerate row. */
 #ifndef T
 #include "sh_polygon.h"
 #include "report.h"
@@ -7,7 +8,8 @@
 
 #define BOTH "test_polygon.c"
 
-/* Shapes on a grid of 2^-20, so that every difference and, at the heights used, every determinant is exact in long double. */
+/* Shapes on a grid of 2^-20, so that every difference and, at the heights used, every determinant is exact in
+ * long double. */
 typedef struct { int count; double v[3 * 8], point[3]; const char *name; } scene_of;
 
 /* gcc 12 -O3 -march=native drops the rounding of a (double)(float) chain it vectorises */
@@ -19,12 +21,14 @@ static double as_float(double x)
 
 static double grid(double x) { return floor(x * 1048576 + 0.5) / 1048576; }
 
-/* kind 0 triangle, 1 quadrilateral, 2 pentagon, 3 L, 4 needle 1:1000; ratio size/distance, graze = sine of the angle to the plane */
+/* kind 0 triangle, 1 quadrilateral, 2 pentagon, 3 L, 4 needle 1:1000; ratio size/distance, graze = sine of
+ * the angle to the plane */
 static void make_scene(scene_of *s, int kind, double ratio, double graze, int turned)
 {
     static const char *const names[5] = { "triangle", "quad", "pentagon", "L", "needle" };
     static const double l_shape[12] = { 0, 0, 2, 0, 2, 1, 1, 1, 1, 2, 0, 2 };
-    double xy[12], u[3] = { 1, 0, 0 }, v[3] = { 0, 1, 0 }, w[3] = { 0, 0, 1 }, d = 0, n = 0, az = ref_between(0, 6.283), lateral, scale = 1;
+    double xy[12], u[3] = { 1, 0, 0 }, v[3] = { 0, 1, 0 }, w[3] = { 0, 0, 1 }, d = 0, n = 0,
+                   az = ref_between(0, 6.283), lateral, scale = 1;
     int i, k;
     s->name = names[kind];
     s->count = kind == 0 || kind == 4 ? 3 : kind == 1 ? 4 : kind == 2 ? 5 : 6;
@@ -60,7 +64,8 @@ static void make_scene(scene_of *s, int kind, double ratio, double graze, int tu
     if (ratio < 1e-2) scale = ldexp(1, (int)floor(log2(ratio / 1e-2)));
     lateral = sqrt(fabs(1 - graze * graze)) / ratio;
     for (i = 0; i < s->count; i++)
-        for (k = 0; k < 3; k++) s->v[3 * i + k] = as_float(scale * grid(xy[2 * i] * u[k] + xy[2 * i + 1] * v[k]));
+        for (k = 0; k < 3; k++)
+            s->v[3 * i + k] = as_float(scale * grid(xy[2 * i] * u[k] + xy[2 * i + 1] * v[k]));
     for (k = 0; k < 3; k++) {
         const double h = w[k] * graze / ratio + lateral * (cos(az) * u[k] + sin(az) * v[k]);
         s->point[k] = as_float(scale * (turned ? h : grid(h)));
@@ -68,9 +73,11 @@ static void make_scene(scene_of *s, int kind, double ratio, double graze, int tu
     if (!turned) s->point[2] = as_float(scale * ldexp(floor(ldexp(graze / ratio, 30) + 1), -30));
 }
 
-/* The closed form in each edge's own frame (MATH 5) in long double: e, f in the frame [middle, mu x middle, mu], turned to the
- * world by quadrature over the sphere. Shares nothing with the header but the polygon. Positive from behind; l >= 1. */
-static void edge_frames(int n, const double *point, int count, const double *v, long double *c, long double *g)
+/* The closed form in each edge's own frame (MATH 5) in long double: e, f in the frame [middle, mu x middle,
+ * mu], turned to the world by quadrature over the sphere. Shares nothing with the header but the polygon.
+ * Positive from behind; l >= 1. */
+static void edge_frames(int n, const double *point, int count, const double *v, long double *c,
+                        long double *g)
 {
     static long double x[17], w[17], world[REF_POLYGON_SIZE], local[REF_POLYGON_SIZE];
     const int size = n * n;
@@ -80,7 +87,9 @@ static void edge_frames(int n, const double *point, int count, const double *v, 
     for (k = 0; k < 3 * size; k++) g[k] = 0;
     for (i = 0; i < count; i++) {
         const double *const from = v + 3 * i, *const to = v + 3 * ((i + 1) % count);
-        long double A[3], E[3], N[3], u[3], mid[3], third[3], r = 0, len = 0, dot = 0, ew = 0, gamma, k0, k1, kc, ks, I[20], e[REF_POLYGON_SIZE], f[REF_POLYGON_SIZE];
+        long double A[3], E[3], N[3], u[3], mid[3], third[3], r = 0, len = 0, dot = 0, ew = 0, gamma, k0, k1,
+                                                              kc, ks, I[20], e[REF_POLYGON_SIZE],
+                                                              f[REF_POLYGON_SIZE];
         for (k = 0; k < 3; k++) {
             A[k] = (long double)from[k] - point[k];
             E[k] = (long double)to[k] - from[k];
@@ -99,9 +108,11 @@ static void edge_frames(int n, const double *point, int count, const double *v, 
         k0 = 1 / r;
         k1 = -ew / len;
         for (k = 0; k < 3; k++) N[k] /= len;
-        for (k = 0; k < 3; k++) u[k] = (N[(k + 1) % 3] * A[(k + 2) % 3] - N[(k + 2) % 3] * A[(k + 1) % 3]) / r;
+        for (k = 0; k < 3; k++)
+            u[k] = (N[(k + 1) % 3] * A[(k + 2) % 3] - N[(k + 2) % 3] * A[(k + 1) % 3]) / r;
         for (k = 0; k < 3; k++) mid[k] = A[k] / r * cosl(gamma / 2) + u[k] * sinl(gamma / 2);
-        for (k = 0; k < 3; k++) third[k] = N[(k + 1) % 3] * mid[(k + 2) % 3] - N[(k + 2) % 3] * mid[(k + 1) % 3];
+        for (k = 0; k < 3; k++)
+            third[k] = N[(k + 1) % 3] * mid[(k + 2) % 3] - N[(k + 2) % 3] * mid[(k + 1) % 3];
         kc = k0 * cosl(gamma / 2) + k1 * sinl(gamma / 2);
         ks = -k0 * sinl(gamma / 2) + k1 * cosl(gamma / 2);
         I[0] = gamma;
@@ -121,7 +132,8 @@ static void edge_frames(int n, const double *point, int count, const double *v, 
             }
         for (a = 0; a < 17; a++)
             for (b = 0; b < 34; b++) {
-                const long double t = REF_PI * b / 17, st = sqrtl(1 - x[a] * x[a]), weight = w[a] * REF_PI / 17;
+                const long double t = REF_PI * b / 17, st = sqrtl(1 - x[a] * x[a]),
+                                  weight = w[a] * REF_PI / 17;
                 const long double d[3] = { st * cosl(t), st * sinl(t), x[a] };
                 long double own[3], se[REF_POLYGON_BANDS], sf[REF_POLYGON_BANDS];
                 own[0] = own[1] = own[2] = 0;
@@ -153,10 +165,11 @@ static double sign_of(const ref_polygon_light *r) { return r->c[0] < 0 ? -1 : 1;
 
 int main(void)
 {
-    const struct CMUnitTest t[] = {
-        BOTH_TESTS(accuracy), BOTH_TESTS(extremes), BOTH_TESTS(solid_angle), BOTH_TESTS(sides), BOTH_TESTS(in_plane), BOTH_TESTS(degenerate),
-        BOTH_TESTS(statuses), BOTH_TESTS(invariants), BOTH_TESTS(crossing), BOTH_TESTS(differences), BOTH_TESTS(winding), BOTH_TESTS(switches), BOTH_TESTS(edge_frame)
-    };
+    const struct CMUnitTest t[] = { BOTH_TESTS(accuracy),    BOTH_TESTS(extremes),   BOTH_TESTS(solid_angle),
+                                    BOTH_TESTS(sides),       BOTH_TESTS(in_plane),   BOTH_TESTS(degenerate),
+                                    BOTH_TESTS(statuses),    BOTH_TESTS(invariants), BOTH_TESTS(crossing),
+                                    BOTH_TESTS(differences), BOTH_TESTS(winding),    BOTH_TESTS(switches),
+                                    BOTH_TESTS(edge_frame) };
     return RUN_TESTS(t);
 }
 #else
@@ -171,10 +184,12 @@ static void F(compare)(row *values, row *gradient, int bands, const scene_of *s,
     assert_int_equal(F(sh_polygon)(bands, SH_BOTH, point, (size_t)s->count, v, c, g), SH_OK);
     for (i = 0; i < bands * bands; i++) {
         const int l = ref_band(i);
-        row_check(values, (long double)c[i], (long double)sign_of(r) * r->c[i], limit * (long double)EPS * ref_M(l) * r->solid, i);
+        row_check(values, (long double)c[i], (long double)sign_of(r) * r->c[i],
+                  limit * (long double)EPS * ref_M(l) * r->solid, i);
         for (k = 0; k < 3; k++)
             row_check(gradient, (long double)g[k * bands * bands + i], (long double)sign_of(r) * r->g[k][i],
-                limit * (long double)EPS * (ref_M(l) * r->slope + ref_G(l) * r->solid / r->nearest), k * bands * bands + i);
+                      limit * (long double)EPS * (ref_M(l) * r->slope + ref_G(l) * r->solid / r->nearest),
+                      k * bands * bands + i);
     }
 }
 
@@ -182,14 +197,16 @@ static void F(compare)(row *values, row *gradient, int bands, const scene_of *s,
 static void F(accuracy)(void **state)
 {
     static const int counts[5] = { 1, 3, 5, 9, 16 };
-    row *values = row_open("sh_polygon values", PRECISION), *gradient = row_open("sh_polygon gradient", PRECISION);
+    row *values = row_open("sh_polygon values", PRECISION),
+        *gradient = row_open("sh_polygon gradient", PRECISION);
     int i;
     (void)state;
     for (i = 0; i < effort(100); i++) {
         scene_of s;
         ref_polygon_light r;
         const int bands = counts[i / 5 % 5];
-        const double ratio = i % 3 ? ref_log_between(1e-6, 10) : ref_log_between(0.05, 3), graze = ref_between(0.05, 1);
+        const double ratio = i % 3 ? ref_log_between(1e-6, 10) : ref_log_between(0.05, 3),
+                     graze = ref_between(0.05, 1);
         make_scene(&s, i % 5, ratio, graze, i % 2);
         ref_polygon(bands, s.point, s.count, s.v, &r);
         row_case("%s, %d bands, size/distance %.1e, sine %.2g", s.name, bands, ratio, graze);
@@ -199,18 +216,22 @@ static void F(accuracy)(void **state)
     row_close(gradient);
 }
 
-/* grazing to 1e-6, beside and above the light; the gradient's reference loses 1/height above it and is left out there in f64 */
+/* grazing to 1e-6, beside and above the light; the gradient's reference loses 1/height above it and is left
+ * out there in f64 */
 static void F(extremes)(void **state)
 {
-    row *values = row_open("sh_polygon grazing values", PRECISION), *gradient = row_open("sh_polygon grazing gradient", PRECISION);
-    row *above = row_open("sh_polygon grazing, above, values", PRECISION), *unused = row_open("sh_polygon grazing, above, gradient", "f32");
+    row *values = row_open("sh_polygon grazing values", PRECISION),
+        *gradient = row_open("sh_polygon grazing gradient", PRECISION);
+    row *above = row_open("sh_polygon grazing, above, values", PRECISION),
+        *unused = row_open("sh_polygon grazing, above, gradient", "f32");
     int i;
     (void)state;
     for (i = 0; i < effort(30) || !values->checks || !above->checks; i++) {
         scene_of s;
         ref_polygon_light r;
         const int bands = 12;
-        const double ratio = i % 2 ? ref_log_between(0.1, 0.45) : ref_log_between(0.05, 4), graze = ref_log_between(1e-6, 1e-2);
+        const double ratio = i % 2 ? ref_log_between(0.1, 0.45) : ref_log_between(0.05, 4),
+                     graze = ref_log_between(1e-6, 1e-2);
         make_scene(&s, i % 5, ratio, graze, 0);
         ref_polygon(bands, s.point, s.count, s.v, &r);
         row_case("%s, size/distance %.1e, sine %.1e", s.name, ratio, graze);
@@ -231,7 +252,8 @@ static void F(extremes)(void **state)
 /* known solid angles: an octant, a cube's face from its middle, a rectangle by arcsine */
 static void F(solid_angle)(void **state)
 {
-    static const T octant[9] = { 1, 0, 0, 0, 1, 0, 0, 0, 1 }, face[12] = { -1, -1, 1, 1, -1, 1, 1, 1, 1, -1, 1, 1 }, origin[3] = { 0, 0, 0 };
+    static const T octant[9] = { 1, 0, 0, 0, 1, 0, 0, 0, 1 }, origin[3] = { 0, 0, 0 };
+    static const T face[12] = { -1, -1, 1, 1, -1, 1, 1, 1, 1, -1, 1, 1 };
     row *w = row_open("sh_polygon_solid_angle, known", PRECISION);
     T omega = 0, g[3];
     int i, k;
@@ -256,10 +278,12 @@ static void F(solid_angle)(void **state)
     row_close(w);
 }
 
-/* from the front vertices run counter-clockwise: both +, signed +, front +; from behind both +, signed -, front 0; reversed */
+/* from the front vertices run counter-clockwise: both +, signed +, front +; from behind both +, signed -,
+ * front 0; reversed */
 static void F(sides)(void **state)
 {
-    static const T quad[12] = { -1, -1, 0, 1, -1, 0, 1, 1, 0, -1, 1, 0 }, front[3] = { (T)0.25, (T)0.125, 2 }, behind[3] = { (T)0.25, (T)0.125, -2 };
+    static const T quad[12] = { -1, -1, 0, 1, -1, 0, 1, 1, 0, -1, 1, 0 };
+    static const T front[3] = { (T)0.25, (T)0.125, 2 }, behind[3] = { (T)0.25, (T)0.125, -2 };
     T back[12], c[3][25], g[3][75], d[3][25], e[3][75];
     int i, k;
     (void)state;
@@ -286,7 +310,8 @@ static void F(sides)(void **state)
 static void F(in_plane)(void **state)
 {
     static const T quad[12] = { -1, -1, 0, 3, -1, 0, 3, 3, 0, -1, 3, 0 };
-    static const T outside[3] = { 4, 1, 0 }, beside[3] = { 4, -1, 0 }, inside[3] = { (T)0.5, 1, 0 }, edge[3] = { 1, -1, 0 }, vertex[3] = { 3, 3, 0 };
+    static const T outside[3] = { 4, 1, 0 }, beside[3] = { 4, -1, 0 }, inside[3] = { (T)0.5, 1, 0 };
+    static const T edge[3] = { 1, -1, 0 }, vertex[3] = { 3, 3, 0 };
     row *w = row_open("sh_polygon in its plane", PRECISION);
     T c[256], g[768], near[256], near_g[768];
     int i, side;
@@ -300,33 +325,39 @@ static void F(in_plane)(void **state)
         assert_int_equal(F(sh_polygon)(16, side, inside, 4, quad, c, g), SH_ON_LIGHT);
         row_case("inside, sides %d", side);
         for (i = 0; i < 256; i++) {     /* the front looks down: hemisphere about -z, only m = 0 */
-            static const double share[16] = { 1, 0.5, 0, -1. / 8, 0, 1. / 16, 0, -5. / 128, 0, 7. / 256, 0, -21. / 1024, 0, 33. / 2048, 0, -429. / 32768 };
+            static const double share[16] = { 1, 0.5, 0, -1. / 8, 0, 1. / 16, 0, -5. / 128, 0, 7. / 256, 0,
+                -21. / 1024, 0, 33. / 2048, 0, -429. / 32768 };
             const int l = ref_band(i), m = i - l * l - l;
             const long double want = m ? 0 : 2 * REF_PI * share[l] * ref_M(l) * (l % 2 ? -1 : 1);
             row_check(w, (long double)c[i], want, 16 * (long double)EPS * ref_M(l), i);
         }
         assert_int_equal(F(sh_polygon)(16, side, edge, 4, quad, near, near_g), SH_ON_LIGHT);
         row_case("on an edge, sides %d", side);
-        for (i = 0; i < 256; i++) row_check(w, (long double)near[i], (long double)c[i] / 2, 8 * (long double)EPS, i);
+        for (i = 0; i < 256; i++)
+            row_check(w, (long double)near[i], (long double)c[i] / 2, 8 * (long double)EPS, i);
         for (i = 0; i < 768; i++) assert_true(near_g[i] == 0);
         assert_int_equal(F(sh_polygon)(16, side, vertex, 4, quad, near, near_g), SH_ON_LIGHT);
         row_case("on a vertex, sides %d", side);
-        for (i = 0; i < 256; i++) row_check(w, (long double)near[i], (long double)c[i] / 4, 8 * (long double)EPS, i);
+        for (i = 0; i < 256; i++)
+            row_check(w, (long double)near[i], (long double)c[i] / 4, 8 * (long double)EPS, i);
         for (i = 0; i < 768; i++) assert_true(near_g[i] == 0);
     }
     row_close(w);
     /* the gradient inside the light is the front side's: continuous with a point just above it */
     w = row_open("sh_polygon gradient meets the plane", PRECISION);
     {
-        const T step = IS_F32 ? (T)9.5367431640625e-07 : (T)9.094947017729282e-13, up[3] = { (T)0.5, 1, step };
+        const T step = IS_F32 ? (T)9.5367431640625e-07 : (T)9.094947017729282e-13,
+                up[3] = { (T)0.5, 1, step };
         F(sh_polygon)(8, SH_BOTH, inside, 4, quad, c, g);
         F(sh_polygon)(8, SH_BOTH, up, 4, quad, near, near_g);
-        for (i = 0; i < 192; i++) row_check(w, (long double)near_g[i], (long double)g[i], 64 * (long double)step, i);
+        for (i = 0; i < 192; i++)
+            row_check(w, (long double)near_g[i], (long double)g[i], 64 * (long double)step, i);
         F(sh_polygon)(8, SH_SIGNED, outside, 4, quad, c, g);
         for (i = 0; i < 3; i++) near[i] = outside[i];
         near[2] = step;
         F(sh_polygon)(8, SH_SIGNED, near, 4, quad, c, near_g);
-        for (i = 0; i < 192; i++) row_check(w, (long double)near_g[i], (long double)g[i], 64 * (long double)step, i);
+        for (i = 0; i < 192; i++)
+            row_check(w, (long double)near_g[i], (long double)g[i], 64 * (long double)step, i);
     }
     row_close(w);
 }
@@ -336,8 +367,11 @@ static void F(degenerate)(void **state)
 {
     static const T point[3] = { (T)0.3, (T)-0.2, 1 };
     static const T quad[12] = { -1, -1, 0, 1, -1, 0, 1, 1, 0, -1, 1, 0 };
-    static const T more[27] = { -1, -1, 0, -1, -1, 0, 0, -1, 0, 1, -1, 0, 1, -1, 0, 1, 1, 0, 0, 1, 0, -1, 1, 0, -1, 0, 0 };
-    static const T line[12] = { 0, 0, 0, 1, 2, 3, 2, 4, 6, -1, -2, -3 }, same[9] = { 1, 2, 3, 1, 2, 3, 1, 2, 3 }, spike[15] = { -1, -1, 0, 1, -1, 0, 5, -1, 0, 1, -1, 0, -1, 1, 0 };
+    static const T more[27] = { -1, -1, 0, -1, -1, 0, 0, -1, 0, 1, -1, 0, 1, -1, 0, 1, 1, 0,
+        0, 1, 0, -1, 1, 0, -1, 0, 0 };
+    static const T line[12] = { 0, 0, 0, 1, 2, 3, 2, 4, 6, -1, -2, -3 };
+    static const T same[9] = { 1, 2, 3, 1, 2, 3, 1, 2, 3 };
+    static const T spike[15] = { -1, -1, 0, 1, -1, 0, 5, -1, 0, 1, -1, 0, -1, 1, 0 };
     static const T plain[9] = { -1, -1, 0, 1, -1, 0, -1, 1, 0 }, at[3] = { 1, 2, 3 };
     row *w = row_open("sh_polygon with repeated vertices", PRECISION);
     T c[144], g[432], d[144], e[432];
@@ -345,12 +379,16 @@ static void F(degenerate)(void **state)
     (void)state;
     F(sh_polygon)(12, SH_BOTH, point, 4, quad, c, g);
     assert_int_equal(F(sh_polygon)(12, SH_BOTH, point, 9, more, d, e), SH_OK);
-    for (i = 0; i < 144; i++) row_check(w, (long double)d[i], (long double)c[i], 16 * (long double)EPS * ref_M(ref_band(i)), i);
-    for (i = 0; i < 432; i++) row_check(w, (long double)e[i], (long double)g[i], 32 * (long double)EPS * (ref_M(11) + ref_G(11)), i);
+    for (i = 0; i < 144; i++)
+        row_check(w, (long double)d[i], (long double)c[i], 16 * (long double)EPS * ref_M(ref_band(i)), i);
+    for (i = 0; i < 432; i++)
+        row_check(w, (long double)e[i], (long double)g[i], 32 * (long double)EPS * (ref_M(11) + ref_G(11)),
+                  i);
     F(sh_polygon)(12, SH_BOTH, point, 3, plain, c, g);
     assert_int_equal(F(sh_polygon)(12, SH_BOTH, point, 5, spike, d, e), SH_OK);
     row_case("an edge there and back");
-    for (i = 0; i < 144; i++) row_check(w, (long double)d[i], (long double)c[i], 16 * (long double)EPS * ref_M(ref_band(i)), i);
+    for (i = 0; i < 144; i++)
+        row_check(w, (long double)d[i], (long double)c[i], 16 * (long double)EPS * ref_M(ref_band(i)), i);
     row_close(w);
     assert_int_equal(F(sh_polygon)(12, SH_BOTH, point, 4, line, c, g), SH_OK);
     for (i = 0; i < 144; i++) assert_true(c[i] == 0);
@@ -378,7 +416,8 @@ static void F(statuses)(void **state)
     memcpy(bad, quad, sizeof bad);
     assert_int_equal(F(sh_polygon)(3, SH_BOTH, point, 4, bad, bad, NULL), SH_ERROR_OVERLAP);
     for (i = 0; i < 2; i++) {
-        const unsigned char bytes[2][8] = { { 0, 0, 0xc0, 0x7f, 0, 0, 0xf8, 0x7f }, { 0, 0, 0x80, 0x7f, 0, 0, 0xf0, 0x7f } };   /* NaN, infinity */
+        const unsigned char bytes[2][8] = { { 0, 0, 0xc0, 0x7f, 0, 0, 0xf8, 0x7f },
+                                            { 0, 0, 0x80, 0x7f, 0, 0, 0xf0, 0x7f } }; /* NaN, infinity */
         memcpy(bad, quad, sizeof bad);
         memset(&bad[5], 0, sizeof bad[5]);
         memcpy((char *)&bad[5] + sizeof bad[5] - 2, bytes[i] + (IS_F32 ? 2 : 6), 2);
@@ -386,7 +425,8 @@ static void F(statuses)(void **state)
         memcpy(far_away, point, sizeof far_away);
         far_away[1] = bad[5];
         assert_int_equal(F(sh_polygon)(3, SH_BOTH, far_away, 4, quad, c, g), SH_ERROR_NOT_FINITE);
-        assert_int_equal(F(sh_polygon_solid_angle)(SH_BOTH, far_away, 4, quad, &omega, NULL), SH_ERROR_NOT_FINITE);
+        assert_int_equal(F(sh_polygon_solid_angle)(SH_BOTH, far_away, 4, quad, &omega, NULL),
+                         SH_ERROR_NOT_FINITE);
     }
     for (i = 0; i < 64; i++) assert_true(c[i] == 7);
     assert_int_equal(F(sh_polygon)(3, SH_BOTH, point, 4, quad, c, NULL), SH_OK);
@@ -395,8 +435,10 @@ static void F(statuses)(void **state)
 /* a polygon is its parts; vertices may start anywhere; scale, shift and permuted axes */
 static void F(invariants)(void **state)
 {
-    row *split = row_open("sh_polygon = its parts", PRECISION), *order = row_open("sh_polygon, first vertex moved", PRECISION);
-    row *scale = row_open("sh_polygon, scaled by 2^k", PRECISION), *shift = row_open("sh_polygon, shifted", PRECISION);
+    row *split = row_open("sh_polygon = its parts", PRECISION),
+        *order = row_open("sh_polygon, first vertex moved", PRECISION);
+    row *scale = row_open("sh_polygon, scaled by 2^k", PRECISION),
+        *shift = row_open("sh_polygon, shifted", PRECISION);
     row *axes = row_open("sh_polygon, axes permuted", PRECISION);
     int i, j, k;
     (void)state;
@@ -419,12 +461,15 @@ static void F(invariants)(void **state)
             F(sh_polygon)(8, SH_SIGNED, p, (size_t)s.count - 1, u, d, e);
             for (k = 0; k < 64; k++) {
                 const long double sum = fabsl((long double)total[0]) + fabsl((long double)d[0]);
-                row_check(split, (long double)total[k] + (long double)d[k], (long double)c[k], 64 * (long double)EPS * ref_M(ref_band(k)) * sum * 4, k);
+                row_check(split, (long double)total[k] + (long double)d[k], (long double)c[k],
+                          64 * (long double)EPS * ref_M(ref_band(k)) * sum * 4, k);
             }
         }
         for (j = 0; j < 3 * s.count; j++) u[j] = v[(j + 3) % (3 * s.count)];
         F(sh_polygon)(8, SH_SIGNED, p, (size_t)s.count, u, d, e);
-        for (k = 0; k < 64; k++) row_check(order, (long double)d[k], (long double)c[k], 64 * (long double)EPS * ref_M(ref_band(k)) * omega * 2, k);
+        for (k = 0; k < 64; k++)
+            row_check(order, (long double)d[k], (long double)c[k],
+                      64 * (long double)EPS * ref_M(ref_band(k)) * omega * 2, k);
         for (k = 0; k < 3; k++) q[k] = p[k] * 1024;
         for (k = 0; k < 3 * s.count; k++) u[k] = v[k] * 1024;
         F(sh_polygon)(8, SH_SIGNED, q, (size_t)s.count, u, d, e);
@@ -455,7 +500,8 @@ static void F(invariants)(void **state)
                 a += (long double)c[j] * (long double)c[j];
                 b += (long double)d[j] * (long double)d[j];
             }
-            row_check(axes, sqrtl(b), sqrtl(a), 128 * (long double)EPS * ref_M(k) * omega * sqrtl(2 * k + 1), k);
+            row_check(axes, sqrtl(b), sqrtl(a), 128 * (long double)EPS * ref_M(k) * omega * sqrtl(2 * k + 1),
+                      k);
         }
     }
     row_close(split);
@@ -465,7 +511,8 @@ static void F(invariants)(void **state)
     row_close(axes);
 }
 
-/* a point that crosses the plane: signed is smooth outside; from inside, both sides' limits add up to the whole sphere's band 0 */
+/* a point that crosses the plane: signed is smooth outside; from inside, both sides' limits add up to the
+ * whole sphere's band 0 */
 static void F(crossing)(void **state)
 {
     static const T quad[12] = { -1, -1, 0, 1, -1, 0, 1, 1, 0, -1, 1, 0 };
@@ -481,8 +528,10 @@ static void F(crossing)(void **state)
         F(sh_polygon)(5, SH_SIGNED, down, 4, quad, d, e);
         for (k = 0; k < 25; k++) {      /* mirrored in z: odd in h for even l-m */
             const int l = ref_band(k), m = k - l * l - l, odd = (l + m) & 1;
-            row_check(w, (long double)d[k], (odd ? 1 : -1) * (long double)c[k], 32 * (long double)EPS * ref_M(l) * fabsl((long double)c[0]), k);
-            row_check(w, (long double)e[50 + k], (odd ? -1 : 1) * (long double)g[50 + k], 32 * (long double)EPS * (ref_M(l) + ref_G(l)) * fabsl((long double)g[50]), 50 + k);
+            row_check(w, (long double)d[k], (odd ? 1 : -1) * (long double)c[k],
+                      32 * (long double)EPS * ref_M(l) * fabsl((long double)c[0]), k);
+            row_check(w, (long double)e[50 + k], (odd ? -1 : 1) * (long double)g[50 + k],
+                      32 * (long double)EPS * (ref_M(l) + ref_G(l)) * fabsl((long double)g[50]), 50 + k);
         }
         F(sh_polygon)(5, SH_BOTH, above, 4, quad, c, g);
         F(sh_polygon)(5, SH_BOTH, below, 4, quad, d, e);
@@ -522,8 +571,10 @@ static void F(differences)(void **state)
             pd[k] = s.point[k] - 2 * h;
             sh_polygon_f64(10, SH_BOTH, pd, (size_t)s.count, vd, near2, NULL);
             for (j = 0; j < 100; j++)
-                row_check(w, (long double)g[100 * k + j], (8 * ((long double)a[j] - b[j]) - ((long double)far2[j] - near2[j])) / (12 * (long double)h),
-                    (IS_F32 ? 2e-5L : 2e-8L) * (1 + fabsl((long double)c[0])), 100 * k + j);
+                row_check(w, (long double)g[100 * k + j],
+                          (8 * ((long double)a[j] - b[j]) - ((long double)far2[j] - near2[j]))
+                              / (12 * (long double)h),
+                          (IS_F32 ? 2e-5L : 2e-8L) * (1 + fabsl((long double)c[0])), 100 * k + j);
         }
     }
     row_close(w);
@@ -533,8 +584,10 @@ static void F(differences)(void **state)
 static void F(winding)(void **state)
 {
     static const T p[3] = { (T)0.125, (T)0.25, 1 };
-    static const T bow[12] = { -2, -1, 0, 2, 1, 0, 2, -1, 0, -2, 1, 0 }, left[9] = { -2, -1, 0, 0, 0, 0, -2, 1, 0 }, right[9] = { 0, 0, 0, 2, 1, 0, 2, -1, 0 };
-    static const T twice[24] = { -1, -1, 0, 1, -1, 0, 1, 1, 0, -1, 1, 0, -1, -1, 0, 1, -1, 0, 1, 1, 0, -1, 1, 0 };
+    static const T bow[12] = { -2, -1, 0, 2, 1, 0, 2, -1, 0, -2, 1, 0 };
+    static const T left[9] = { -2, -1, 0, 0, 0, 0, -2, 1, 0 }, right[9] = { 0, 0, 0, 2, 1, 0, 2, -1, 0 };
+    static const T twice[24] = { -1, -1, 0, 1, -1, 0, 1, 1, 0, -1, 1, 0,
+        -1, -1, 0, 1, -1, 0, 1, 1, 0, -1, 1, 0 };
     row *w = row_open("sh_polygon, windings", PRECISION);
     T c[64] = { 0 }, a[64] = { 0 }, b[64] = { 0 };
     int i;
@@ -543,11 +596,15 @@ static void F(winding)(void **state)
     F(sh_polygon)(8, SH_SIGNED, p, 3, left, a, NULL);
     F(sh_polygon)(8, SH_SIGNED, p, 3, right, b, NULL);
     row_case("bow tie");
-    for (i = 0; i < 64; i++) row_check(w, (long double)c[i], (long double)a[i] + (long double)b[i], 64 * (long double)EPS * ref_M(ref_band(i)), i);
+    for (i = 0; i < 64; i++)
+        row_check(w, (long double)c[i], (long double)a[i] + (long double)b[i],
+                  64 * (long double)EPS * ref_M(ref_band(i)), i);
     assert_int_equal(F(sh_polygon)(8, SH_SIGNED, p, 8, twice, c, NULL), SH_OK);
     F(sh_polygon)(8, SH_SIGNED, p, 4, twice, a, NULL);
     row_case("twice around");
-    for (i = 0; i < 64; i++) row_check(w, (long double)c[i], 2 * (long double)a[i], 64 * (long double)EPS * ref_M(ref_band(i)) * 2, i);
+    for (i = 0; i < 64; i++)
+        row_check(w, (long double)c[i], 2 * (long double)a[i], 64 * (long double)EPS * ref_M(ref_band(i)) * 2,
+                  i);
     row_close(w);
 }
 
@@ -559,7 +616,8 @@ static void F(switches)(void **state)
     int i, k;
     (void)state;
     for (i = 0; i < 20; i++) {
-        T v[9] = { -1, (T)-0.5, 0, 1, (T)-0.75, 0, (T)0.25, 1, 0 }, p[3] = { (T)0.5, (T)0.25, 0 }, c[144], d[144], g[432], e[432], omega = 0;
+        T v[9] = { -1, (T)-0.5, 0, 1, (T)-0.75, 0, (T)0.25, 1, 0 }, p[3] = { (T)0.5, (T)0.25, 0 }, c[144],
+          d[144], g[432], e[432], omega = 0;
         double lo = 0.1, hi = 1e5;
         for (k = 0; k < 200 && hi / lo > 1 + 4 * (double)EPS; k++) {
             const double mid = sqrt(lo * hi);
@@ -575,7 +633,10 @@ static void F(switches)(void **state)
         F(sh_polygon)(12, SH_BOTH, p, 3, v, d, e);
         row_case("slant %d", i);
         for (k = 0; k < 144; k++)
-            row_check(w, (long double)d[k], (long double)c[k], (128 + 64 * ref_G(ref_band(k)) / ref_M(ref_band(k))) * (long double)EPS * ref_M(ref_band(k)) * (long double)limit, k);
+            row_check(w, (long double)d[k], (long double)c[k],
+                      (128 + 64 * ref_G(ref_band(k)) / ref_M(ref_band(k))) * (long double)EPS
+                          * ref_M(ref_band(k)) * (long double)limit,
+                      k);
     }
     row_close(w);
 }
@@ -583,7 +644,8 @@ static void F(switches)(void **state)
 /* the published alternative, the closed form in the edge's frame, agrees */
 static void F(edge_frame)(void **state)
 {
-    row *w = row_open("sh_polygon = closed form in edge frames", PRECISION), *gw = row_open("... gradient", PRECISION);
+    row *w = row_open("sh_polygon = closed form in edge frames", PRECISION),
+        *gw = row_open("... gradient", PRECISION);
     int i, k;
     (void)state;
     for (i = 0; i < effort(10); i++) {
@@ -598,10 +660,14 @@ static void F(edge_frame)(void **state)
         edge_frames(9, s.point, s.count, s.v, c, g);
         omega = fabsl((long double)got[0]) * sqrtl(4 * REF_PI);
         row_case("%s, solid angle %.2g", s.name, (double)omega);
-        for (k = 1; k < 81; k++) row_check(w, -(long double)got[k], c[k], 64 * (long double)EPS * ref_M(ref_band(k)) * omega, k);
+        for (k = 1; k < 81; k++)
+            row_check(w, -(long double)got[k], c[k], 64 * (long double)EPS * ref_M(ref_band(k)) * omega, k);
         for (k = 0; k < 243; k++)
-            row_check(gw, -(long double)slope[k], g[k], 64 * (long double)EPS * (ref_M(ref_band(k % 81)) + ref_G(ref_band(k % 81))) * (omega + fabsl((long double)slope[0])
-                + fabsl((long double)slope[81]) + fabsl((long double)slope[162])), k);
+            row_check(gw, -(long double)slope[k], g[k],
+                      64 * (long double)EPS * (ref_M(ref_band(k % 81)) + ref_G(ref_band(k % 81)))
+                          * (omega + fabsl((long double)slope[0]) + fabsl((long double)slope[81])
+                             + fabsl((long double)slope[162])),
+                      k);
     }
     row_close(w);
     row_close(gw);

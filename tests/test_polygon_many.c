@@ -1,4 +1,5 @@
-/* test_polygon_many.c - sums over polygons, WR18's route and its tables, triangle as sphere, tolerance, textures. */
+/* test_polygon_many.c - sums over polygons, WR18's route and its tables, triangle as sphere, tolerance,
+ * textures. */
 #ifndef T
 #if defined(__clang__)
 #  pragma clang diagnostic ignored "-Wdouble-promotion"       /* double to long double is meant */
@@ -15,8 +16,9 @@
 static void lobes(void **state)
 {
     static const int sets[6] = { 3, 5, 7, 9, 12, 16 };
-    static const double documented[6] = { 1.83, 2.50, 3.01, 3.82, 4.66, 6.08 };     /* MATH: 2.5, 4.1, 6.2 at 5, 9, 15 bands */
-    row *identity = row_open("lobe weights invert the lobes", "f64"), *unit = row_open("lobes are unit vectors", "f64");
+    static const double documented[6] = { 1.83, 2.50, 3.01, 3.82, 4.66, 6.08 };
+    row *identity = row_open("lobe weights invert the lobes", "f64");
+    row *unit = row_open("lobes are unit vectors", "f64");
     row *condition = row_open("worst condition of a band / documented", "f64");
     int s;
     (void)state;
@@ -52,7 +54,8 @@ static void lobes(void **state)
                     long double w[31], norm = 0;
                     for (i = 0; i < 2 * l + 1; i++) {
                         w[i] = 0;
-                        for (j = 0; j < 2 * l + 1; j++) w[i] += (k ? (i == j ? high : 0) - a[i][j] : a[i][j]) * v[j];
+                        for (j = 0; j < 2 * l + 1; j++)
+                            w[i] += (k ? (i == j ? high : 0) - a[i][j] : a[i][j]) * v[j];
                         norm += w[i] * w[i];
                     }
                     norm = sqrtl(norm);
@@ -102,19 +105,22 @@ static double as_float(double x)
 
 int main(void)
 {
-    const struct CMUnitTest t[] = {
-        cmocka_unit_test(lobes), cmocka_unit_test(rules), BOTH_TESTS(sums), BOTH_TESTS(lanes), BOTH_TESTS(grids), BOTH_TESTS(on_light),
-        BOTH_TESTS(statuses), BOTH_TESTS(zonal), BOTH_TESTS(route), BOTH_TESTS(sphere), BOTH_TESTS(sphere_cases), BOTH_TESTS(within), BOTH_TESTS(texture)
-    };
+    const struct CMUnitTest t[] = { cmocka_unit_test(lobes), cmocka_unit_test(rules),  BOTH_TESTS(sums),
+                                    BOTH_TESTS(lanes),       BOTH_TESTS(grids),        BOTH_TESTS(on_light),
+                                    BOTH_TESTS(statuses),    BOTH_TESTS(zonal),        BOTH_TESTS(route),
+                                    BOTH_TESTS(sphere),      BOTH_TESTS(sphere_cases), BOTH_TESTS(within),
+                                    BOTH_TESTS(texture) };
     return RUN_TESTS(t);
 }
 #else
 
-/* kind as in test_polygon.c; coordinates in T; *per the perimeter in radians, *kappa sum of angle/distance over edges */
+/* kind as in test_polygon.c; coordinates in T; *per the perimeter in radians, *kappa sum of angle/distance
+ * over edges */
 static int F(make)(T *v, T *p, int kind, double ratio, double graze)
 {
     static const double l_shape[12] = { 0, 0, 2, 0, 2, 1, 1, 1, 1, 2, 0, 2 };
-    double u[3], w[3], n[3], d = 0, s = 0, az = ref_between(0, 6.283), lateral = sqrt(fabs(1 - graze * graze)) / ratio;
+    double u[3], w[3], n[3], d = 0, s = 0, az = ref_between(0, 6.283),
+                             lateral = sqrt(fabs(1 - graze * graze)) / ratio;
     const int count = kind == 0 || kind == 4 ? 3 : kind == 1 ? 4 : kind == 2 ? 5 : 6;
     int i, k;
     ref_unit(u);
@@ -132,26 +138,31 @@ static int F(make)(T *v, T *p, int kind, double ratio, double graze)
     n[2] = u[0] * w[1] - u[1] * w[0];
     for (i = 0; i < count; i++) {
         const double a = 6.283185307 * (i + ref_between(-0.3, 0.3)) / count;
-        double x = kind == 3 ? l_shape[2 * i] - 0.8 : cos(a), y = kind == 3 ? l_shape[2 * i + 1] - 0.8 : sin(a);
+        double x = kind == 3 ? l_shape[2 * i] - 0.8 : cos(a),
+               y = kind == 3 ? l_shape[2 * i + 1] - 0.8 : sin(a);
         if (kind == 4) {
             x = i ? 1 : -1;
             y = i == 2 ? 0.002 : 0;
         }
         for (k = 0; k < 3; k++) v[3 * i + k] = (T)as_float(x * u[k] + y * w[k]);
     }
-    for (k = 0; k < 3; k++) p[k] = (T)as_float(n[k] * graze / ratio + lateral * (cos(az) * u[k] + sin(az) * w[k]));
+    for (k = 0; k < 3; k++)
+        p[k] = (T)as_float(n[k] * graze / ratio + lateral * (cos(az) * u[k] + sin(az) * w[k]));
     return count;
 }
 
-/* what the documented bounds of the fast path are made of: perimeter seen, sum of edge angle / edge distance, angular diameter */
-static void F(measure)(const T *v, const T *p, int count, long double *perimeter, long double *kappa, long double *nearest, long double *size)
+/* what the documented bounds of the fast path are made of: perimeter seen, sum of edge angle / edge distance,
+ * angular diameter */
+static void F(measure)(const T *v, const T *p, int count, long double *perimeter, long double *kappa,
+                       long double *nearest, long double *size)
 {
     long double center[3] = { 0, 0, 0 }, radius = 0, distance = 0;
     int i, k;
     for (i = 0; i < 3 * count; i++) center[i % 3] += (long double)v[i] / count;
     for (i = 0; i < count; i++) {
         long double r = 0;
-        for (k = 0; k < 3; k++) r += ((long double)v[3 * i + k] - center[k]) * ((long double)v[3 * i + k] - center[k]);
+        for (k = 0; k < 3; k++)
+            r += ((long double)v[3 * i + k] - center[k]) * ((long double)v[3 * i + k] - center[k]);
         if (r > radius) radius = r;
     }
     radius = sqrtl(radius);
@@ -189,34 +200,42 @@ static void F(measure)(const T *v, const T *p, int count, long double *perimeter
 static void F(sums)(void **state)
 {
     static const int bands_of[5] = { 1, 3, 5, 9, 16 };
-    row *values = row_open("sh_polygons_n values", PRECISION), *gradient = row_open("sh_polygons_n gradient", PRECISION);
+    row *values = row_open("sh_polygons_n values", PRECISION),
+        *gradient = row_open("sh_polygons_n gradient", PRECISION);
     int i, k, a;
     (void)state;
     for (i = 0; i < effort(4000); i++) {
         T v[18], p[3], out[1024];
         double vd[18], pd[3], c[256], g[768], spread;
         const int n = bands_of[i / 5 % 5], kind = i % 5;
-        const double ratio = ref_log_between(1e-5, 4), graze = i % 3 ? ref_between(0.1, 1) : ref_log_between(1e-6, 1);
+        const double ratio = ref_log_between(1e-5, 4),
+                     graze = i % 3 ? ref_between(0.1, 1) : ref_log_between(1e-6, 1);
         const int count = F(make)(v, p, kind, ratio, graze);
         long double perimeter, kappa, nearest, size, grazing = 1;
         for (k = 0; k < 3; k++) pd[k] = (double)p[k];
         for (k = 0; k < 3 * count; k++) vd[k] = (double)v[k];
         F(measure)(v, p, count, &perimeter, &kappa, &nearest, &size);
-        if (shi_polygon_engine(n, SH_BOTH, 1, pd, (size_t)count, vd, 0, c, g, &spread) || nearest < 1e-3L) continue;
+        if (shi_polygon_engine(n, SH_BOTH, 1, pd, (size_t)count, vd, 0, c, g, &spread) || nearest < 1e-3L)
+            continue;
         assert_int_equal(F(sh_polygons_n)(n, SH_GRADIENT, 1, SH_BOTH, 1, p, 1, &count, v, NULL, out), SH_OK);
         /* in double, heights above the plane are rounded: by eps of the distance */
         if (!IS_F32) grazing = 1 + 1 / (long double)graze / 8;
         row_case("kind %d, %d bands, size/distance %.1e, sine %.1e", kind, n, ratio, graze);
         {
             const long double large = size * (n + 1) < (IS_F32 ? 1.3L : 1.7L) ? 0 : 1;
-            const long double slope = sqrtl((long double)(g[0] * g[0] + g[n * n] * g[n * n] + g[2 * n * n] * g[2 * n * n])) * sqrtl(4 * REF_PI);
+            const long double slope = sqrtl((long double)(g[0] * g[0] + g[n * n] * g[n * n]
+                                                          + g[2 * n * n] * g[2 * n * n]))
+                                    * sqrtl(4 * REF_PI);
             for (k = 0; k < n * n; k++) {
                 const int l = ref_band(k);
                 row_check(values, (long double)out[k], (long double)c[k],
                     64 * (long double)EPS * ref_M(l) * (spread * grazing + large * perimeter / 4), k);
                 for (a = 0; a < 3; a++)
                     row_check(gradient, (long double)out[(a + 1) * n * n + k], (long double)g[a * n * n + k],
-                        64 * (long double)EPS * ((ref_M(l) * slope + ref_G(l) * spread / nearest) * grazing + large * ref_M(l) * kappa), (a + 1) * n * n + k);
+                              64 * (long double)EPS
+                                  * ((ref_M(l) * slope + ref_G(l) * spread / nearest) * grazing
+                                     + large * ref_M(l) * kappa),
+                              (a + 1) * n * n + k);
             }
         }
     }
@@ -224,7 +243,8 @@ static void F(sums)(void **state)
     row_close(gradient);
 }
 
-/* the same bits for a point wherever it sits in the batch, and however many there are; values alone are the values */
+/* the same bits for a point wherever it sits in the batch, and however many there are; values alone are the
+ * values */
 static void F(lanes)(void **state)
 {
     enum { POINTS = 37, N = 36 };
@@ -239,13 +259,16 @@ static void F(lanes)(void **state)
     for (i = 0; i < 3 * POINTS; i++) p[i] = (T)ref_between(-4, 4);
     for (i = 0; i < 9; i++) p[3 * 8 + i] = p[i % 3];            /* a vector of like points */
     assert_int_equal(F(sh_polygons_n)(6, SH_GRADIENT, 1, SH_BOTH, POINTS, p, 3, counts, v, NULL, all), SH_OK);
-    assert_int_equal(F(sh_polygons_n)(6, SH_VALUES, 1, SH_BOTH, POINTS, p, 3, counts, v, NULL, values), SH_OK);
+    assert_int_equal(F(sh_polygons_n)(6, SH_VALUES, 1, SH_BOTH, POINTS, p, 3, counts, v, NULL, values),
+                     SH_OK);
     for (i = 0; i < POINTS; i++) {
         /* node counts follow the vector a point shares: equal to the bound, not to the bit */
         F(sh_polygons)(6, SH_GRADIENT, 1, SH_BOTH, p + 3 * i, 3, counts, v, NULL, one);
         for (k = 0; k < N; k++) {
-            assert_true(fabs((double)(one[k] - all[4 * N * i + k])) <= 64 * (double)EPS * (double)one[0] * sqrt(2 * ref_band(k) + 1));
-            assert_true(fabs((double)(values[N * i + k] - all[4 * N * i + k])) <= 64 * (double)EPS * (double)one[0] * sqrt(2 * ref_band(k) + 1));
+            assert_true(fabs((double)(one[k] - all[4 * N * i + k]))
+                        <= 64 * (double)EPS * (double)one[0] * sqrt(2 * ref_band(k) + 1));
+            assert_true(fabs((double)(values[N * i + k] - all[4 * N * i + k]))
+                        <= 64 * (double)EPS * (double)one[0] * sqrt(2 * ref_band(k) + 1));
         }
     }
 }
@@ -254,7 +277,8 @@ static void F(lanes)(void **state)
 static void F(grids)(void **state)
 {
     enum { N = 16, NODES = 3 * 2 * 4 };
-    static T v[3 * 9], p[3 * NODES], grid_out[NODES * 5 * 4 * N], point_out[NODES * 5 * 4 * N], single[NODES * 4 * N], radiance[10];
+    static T v[3 * 9], p[3 * NODES], grid_out[NODES * 5 * 4 * N], point_out[NODES * 5 * 4 * N],
+        single[NODES * 4 * N], radiance[10];
     static const int counts[2] = { 4, 5 };
     F(sh_grid) g = { { -1, -2, (T)-1.5 }, { (T)0.75, 1, (T)0.875 }, { 3, 2, 4 } };
     T unused[3];
@@ -268,18 +292,27 @@ static void F(grids)(void **state)
         p[3 * i + 1] = g.origin[1] + (T)(i / 3 % 2) * g.cell[1];
         p[3 * i + 2] = g.origin[2] + (T)(i / 6) * g.cell[2];
     }
-    assert_int_equal(F(sh_polygons_n)(4, SH_GRADIENT, 5, SH_BOTH, NODES, p, 2, counts, v, radiance, point_out), SH_OK);
-    assert_int_equal(F(sh_polygons_grid)(4, SH_GRADIENT, 5, SH_BOTH, &g, 0, NODES, 2, counts, v, radiance, grid_out), SH_OK);
+    assert_int_equal(
+        F(sh_polygons_n)(4, SH_GRADIENT, 5, SH_BOTH, NODES, p, 2, counts, v, radiance, point_out), SH_OK);
+    assert_int_equal(
+        F(sh_polygons_grid)(4, SH_GRADIENT, 5, SH_BOTH, &g, 0, NODES, 2, counts, v, radiance, grid_out),
+        SH_OK);
     assert_memory_equal(grid_out, point_out, sizeof grid_out);
-    assert_int_equal(F(sh_polygons_grid)(4, SH_GRADIENT, 5, SH_BOTH, &g, 8, 8, 2, counts, v, radiance, grid_out), SH_OK);
+    assert_int_equal(
+        F(sh_polygons_grid)(4, SH_GRADIENT, 5, SH_BOTH, &g, 8, 8, 2, counts, v, radiance, grid_out), SH_OK);
     assert_memory_equal(grid_out, point_out + 8 * 20 * N, 8 * 20 * N * sizeof *grid_out);
     for (c = 0; c < 5; c++) {
-        assert_int_equal(F(sh_polygons_n)(4, SH_GRADIENT, 1, SH_BOTH, NODES, p, 2, counts, v, radiance + 2 * c, single), SH_OK);
+        assert_int_equal(
+            F(sh_polygons_n)(4, SH_GRADIENT, 1, SH_BOTH, NODES, p, 2, counts, v, radiance + 2 * c, single),
+            SH_OK);
         for (i = 0; i < NODES; i++)
             for (k = 0; k < 4 * N; k++)
-                assert_true(fabs((double)(single[4 * N * i + k] - point_out[(5 * i + c) * 4 * N + k])) <= 64 * (double)EPS * (1 + fabs((double)single[4 * N * i])));
+                assert_true(fabs((double)(single[4 * N * i + k] - point_out[(5 * i + c) * 4 * N + k]))
+                            <= 64 * (double)EPS * (1 + fabs((double)single[4 * N * i])));
     }
-    assert_int_equal(F(sh_polygons_grid)(4, SH_GRADIENT, 5, SH_BOTH, &g, 20, 5, 2, counts, v, radiance, grid_out), SH_ERROR_COUNT);
+    assert_int_equal(
+        F(sh_polygons_grid)(4, SH_GRADIENT, 5, SH_BOTH, &g, 20, 5, 2, counts, v, radiance, grid_out),
+        SH_ERROR_COUNT);
 }
 
 /* points in the plane of a light, within a batch of others: as sh_polygon */
@@ -291,13 +324,15 @@ static void F(on_light)(void **state)
     T out[5 * 256], c[64], g[192];
     int i, k;
     (void)state;
-    assert_int_equal(F(sh_polygons_n)(8, SH_GRADIENT, 1, SH_BOTH, 5, p, 1, counts, v, NULL, out), SH_ON_LIGHT);
+    assert_int_equal(F(sh_polygons_n)(8, SH_GRADIENT, 1, SH_BOTH, 5, p, 1, counts, v, NULL, out),
+                     SH_ON_LIGHT);
     for (i = 1; i < 5; i++) {
         F(sh_polygon)(8, SH_BOTH, p + 3 * i, 4, v, c, g);
         for (k = 0; k < 64; k++) assert_true(out[256 * i + k] == c[k]);
         for (k = 0; k < 192; k++) assert_true(out[256 * i + 64 + k] == g[k]);
     }
-    assert_int_equal(F(sh_polygons_zonal_n)(8, SH_GRADIENT, 1, SH_BOTH, 5, p, 1, counts, v, NULL, out), SH_ON_LIGHT);
+    assert_int_equal(F(sh_polygons_zonal_n)(8, SH_GRADIENT, 1, SH_BOTH, 5, p, 1, counts, v, NULL, out),
+                     SH_ON_LIGHT);
     for (i = 1; i < 5; i++) {
         F(sh_polygon)(8, SH_BOTH, p + 3 * i, 4, v, c, g);
         for (k = 0; k < 64; k++) assert_true(out[256 * i + k] == c[k]);
@@ -313,18 +348,24 @@ static void F(statuses)(void **state)
     (void)state;
     for (i = 0; i < 64; i++) out[i] = 7;
     assert_int_equal(F(sh_polygons_n)(4, 2, 1, SH_BOTH, 1, p, 1, counts, v, NULL, out), SH_ERROR_COUNT);
-    assert_int_equal(F(sh_polygons_n)(4, SH_VALUES, 2, SH_BOTH, 1, p, 1, counts, v, NULL, out), SH_ERROR_COUNT);
-    assert_int_equal(F(sh_polygons_n)(17, SH_VALUES, 1, SH_BOTH, 1, p, 1, counts, v, NULL, out), SH_ERROR_BANDS);
+    assert_int_equal(F(sh_polygons_n)(4, SH_VALUES, 2, SH_BOTH, 1, p, 1, counts, v, NULL, out),
+                     SH_ERROR_COUNT);
+    assert_int_equal(F(sh_polygons_n)(17, SH_VALUES, 1, SH_BOTH, 1, p, 1, counts, v, NULL, out),
+                     SH_ERROR_BANDS);
     assert_int_equal(F(sh_polygons_n)(4, SH_VALUES, 1, 5, 1, p, 1, counts, v, NULL, out), SH_ERROR_OPTION);
-    assert_int_equal(F(sh_polygons_n)(4, SH_VALUES, 1, SH_BOTH, 1, NULL, 1, counts, v, NULL, out), SH_ERROR_NULL);
+    assert_int_equal(F(sh_polygons_n)(4, SH_VALUES, 1, SH_BOTH, 1, NULL, 1, counts, v, NULL, out),
+                     SH_ERROR_NULL);
     assert_int_equal(F(sh_polygons_n)(4, SH_VALUES, 1, SH_BOTH, 1, p, 1, NULL, v, NULL, out), SH_ERROR_NULL);
-    assert_int_equal(F(sh_polygons_n)(4, SH_VALUES, 1, SH_BOTH, 1, p, 1, two, v, NULL, out), SH_ERROR_VERTICES);
+    assert_int_equal(F(sh_polygons_n)(4, SH_VALUES, 1, SH_BOTH, 1, p, 1, two, v, NULL, out),
+                     SH_ERROR_VERTICES);
     assert_int_equal(F(sh_polygons_n)(4, SH_VALUES, 1, SH_BOTH, 0, p, 1, counts, v, NULL, out), SH_OK);
     for (i = 0; i < 64; i++) assert_true(out[i] == 7);
     {   /* a point that is not finite leaves its own output only */
-        const unsigned char infinity32[4] = { 0, 0, 0x80, 0x7f }, infinity64[8] = { 0, 0, 0, 0, 0, 0, 0xf0, 0x7f };
+        const unsigned char infinity32[4] = { 0, 0, 0x80, 0x7f },
+                            infinity64[8] = { 0, 0, 0, 0, 0, 0, 0xf0, 0x7f };
         memcpy(&bad[1], IS_F32 ? infinity32 : infinity64, sizeof bad[1]);
-        assert_int_equal(F(sh_polygons_n)(4, SH_VALUES, 1, SH_BOTH, 2, bad, 1, counts, v, NULL, out), SH_ERROR_NOT_FINITE);
+        assert_int_equal(F(sh_polygons_n)(4, SH_VALUES, 1, SH_BOTH, 2, bad, 1, counts, v, NULL, out),
+                         SH_ERROR_NOT_FINITE);
         assert_true(out[0] == 7);
     }
     /* no polygons: zeros */
@@ -332,10 +373,12 @@ static void F(statuses)(void **state)
     for (i = 0; i < 64; i++) assert_true(out[i] == 0);
 }
 
-/* zonal integrals: the coefficients projected on the axis; sum over a band of squares by the addition theorem */
+/* zonal integrals: the coefficients projected on the axis; sum over a band of squares by the addition
+ * theorem */
 static void F(zonal)(void **state)
 {
-    row *values = row_open("sh_polygon_zonal values", PRECISION), *gradient = row_open("sh_polygon_zonal gradient", PRECISION);
+    row *values = row_open("sh_polygon_zonal values", PRECISION),
+        *gradient = row_open("sh_polygon_zonal gradient", PRECISION);
     int i, k, l, a;
     (void)state;
     for (i = 0; i < effort(300); i++) {
@@ -352,7 +395,8 @@ static void F(zonal)(void **state)
         }
         for (k = 0; k < 3 * count; k++) vd[k] = (double)v[k];
         F(measure)(v, p, count, &perimeter, &kappa, &nearest, &size);
-        if (shi_polygon_engine(16, SH_BOTH, 1, pd, (size_t)count, vd, 0, c, g, &spread) || nearest < 1e-2L) continue;
+        if (shi_polygon_engine(16, SH_BOTH, 1, pd, (size_t)count, vd, 0, c, g, &spread) || nearest < 1e-2L)
+            continue;
         ref_values(16, axis_l, y);
         assert_int_equal(F(sh_polygon_zonal)(16, axis, p, (size_t)count, v, s, sg), SH_OK);
         row_case("kind %d, size/distance %.1e, solid angle %.2g", i % 5, ratio, spread);
@@ -364,7 +408,8 @@ static void F(zonal)(void **state)
             }
             row_check(values, (long double)s[l], want, 64 * (long double)EPS * spread, l);
             for (a = 0; a < 3; a++)
-                row_check(gradient, (long double)sg[16 * a + l], slope[a], 64 * (long double)EPS * (kappa + spread / nearest * (l + 1)), 16 * a + l);
+                row_check(gradient, (long double)sg[16 * a + l], slope[a],
+                          64 * (long double)EPS * (kappa + spread / nearest * (l + 1)), 16 * a + l);
         }
     }
     row_close(values);
@@ -374,7 +419,8 @@ static void F(zonal)(void **state)
 /* WR18's route equals the direct one, absolutely */
 static void F(route)(void **state)
 {
-    row *values = row_open("sh_polygons_zonal_n values", PRECISION), *gradient = row_open("sh_polygons_zonal_n gradient", PRECISION);
+    row *values = row_open("sh_polygons_zonal_n values", PRECISION),
+        *gradient = row_open("sh_polygons_zonal_n gradient", PRECISION);
     int i, k, a, n;
     (void)state;
     for (i = 0; i < effort(300); i++) {
@@ -402,23 +448,28 @@ static void F(route)(void **state)
             at += counts[j];
         }
         if (bad) continue;
-        assert_int_equal(F(sh_polygons_zonal_n)(n, SH_GRADIENT, 2, i % 3, 1, p, 2, counts, v, radiance, out), SH_OK);
+        assert_int_equal(F(sh_polygons_zonal_n)(n, SH_GRADIENT, 2, i % 3, 1, p, 2, counts, v, radiance, out),
+                         SH_OK);
         row_case("%d bands, sides %d", n, i % 3);
         for (k = 0; k < n * n; k++) {
             const int l = ref_band(k);
-            row_check(values, (long double)out[k], (long double)sum[k], 24 * (long double)EPS * ref_M(l) * (2 + perimeter), k);
+            row_check(values, (long double)out[k], (long double)sum[k],
+                      24 * (long double)EPS * ref_M(l) * (2 + perimeter), k);
             for (a = 0; a < 3; a++)
-                row_check(gradient, (long double)out[(a + 1) * n * n + k], (long double)slope[a * n * n + k], 128 * (long double)EPS * ref_M(l) * kappa, (a + 1) * n * n + k);
+                row_check(gradient, (long double)out[(a + 1) * n * n + k], (long double)slope[a * n * n + k],
+                          128 * (long double)EPS * ref_M(l) * kappa, (a + 1) * n * n + k);
         }
     }
     row_close(values);
     row_close(gradient);
 }
 
-/* triangle as sphere against its definition (M22 Eq. 24-28) by jets; its error bound against the exact triangle */
+/* triangle as sphere against its definition (M22 Eq. 24-28) by jets; its error bound against the exact
+ * triangle */
 static void F(sphere)(void **state)
 {
-    row *values = row_open("sh_triangle_as_sphere values", PRECISION), *gradient = row_open("sh_triangle_as_sphere gradient", PRECISION);
+    row *values = row_open("sh_triangle_as_sphere values", PRECISION),
+        *gradient = row_open("sh_triangle_as_sphere gradient", PRECISION);
     row *bound = row_open("sh_triangle_as_sphere error / its bound", PRECISION);
     int i, k, a;
     (void)state;
@@ -446,7 +497,8 @@ static void F(sphere)(void **state)
             normal[k] = ref_const(n[k] / area);
             y[k] = ref_sub(ref_var(point[k], k), ref_const(center[k]));
             d2 = ref_add(d2, ref_mul(y[k], y[k]));
-            dot = ref_add(dot, ref_mul(normal[k], ref_sub(ref_var(point[k], k), ref_const((long double)v[k]))));
+            dot = ref_add(dot,
+                          ref_mul(normal[k], ref_sub(ref_var(point[k], k), ref_const((long double)v[k]))));
         }
         cosine = ref_div(dot, ref_sqrt(d2));
         if (cosine.v < 0) cosine = ref_scale(-1, cosine);
@@ -460,7 +512,9 @@ static void F(sphere)(void **state)
             row_check(values, (long double)c[k], want.v, 24 * (long double)EPS * ref_M(l) * scale, k);
             for (a = 0; a < 3; a++)
                 row_check(gradient, (long double)g[81 * a + k], want.g[a],
-                    32 * (long double)EPS * (ref_M(l) * (2 * scale / d + scale / cosine.v / d) + ref_G(l) * scale / d), 81 * a + k);
+                          32 * (long double)EPS
+                              * (ref_M(l) * (2 * scale / d + scale / cosine.v / d) + ref_G(l) * scale / d),
+                          81 * a + k);
         }
         if (shi_polygon_engine(9, SH_BOTH, 1, pd, 3, vd, 0, exact, NULL, &spread) == SH_OK) {
             for (k = 0; k < 81; k++) total += ((long double)c[k] - exact[k]) * ((long double)c[k] - exact[k]);
@@ -475,7 +529,8 @@ static void F(sphere)(void **state)
 /* M22's corners: in the plane, without area, inside the sphere, on the centroid; sides */
 static void F(sphere_cases)(void **state)
 {
-    static const T a[3] = { 0, 0, 0 }, b[3] = { 3, 0, 0 }, c[3] = { 0, 3, 0 }, flat[3] = { 9, 1, 0 }, near[3] = { 1, 1, (T)0.25 }, centroid[3] = { 1, 1, 0 };
+    static const T a[3] = { 0, 0, 0 }, b[3] = { 3, 0, 0 }, c[3] = { 0, 3, 0 };
+    static const T flat[3] = { 9, 1, 0 }, near[3] = { 1, 1, (T)0.25 }, centroid[3] = { 1, 1, 0 };
     static const T front[3] = { 1, 2, 5 }, behind[3] = { 1, 2, -5 };
     T out[25], g[75], d[25], h[75], error = 0;
     int i;
@@ -508,7 +563,8 @@ static void F(sphere_cases)(void **state)
 /* the guarantee of sh_polygon_within, and that every way is taken */
 static void F(within)(void **state)
 {
-    row *w = row_open("sh_polygon_within error / its bound", PRECISION), *given = row_open("... / tolerance", PRECISION);
+    row *w = row_open("sh_polygon_within error / its bound", PRECISION),
+        *given = row_open("... / tolerance", PRECISION);
     int ways[4] = { 0, 0, 0, 0 }, i, k;
     (void)state;
     for (i = 0; i < effort(1500); i++) {
@@ -521,9 +577,12 @@ static void F(within)(void **state)
         for (k = 0; k < 3; k++) pd[k] = (double)p[k];
         for (k = 0; k < 3 * count; k++) vd[k] = (double)v[k];
         if (shi_polygon_engine(n, SH_SIGNED, 1, pd, (size_t)count, vd, 0, exact, NULL, &spread)) continue;
-        assert_int_equal(F(sh_polygon_within)(n, SH_SIGNED, (T)tolerance, p, (size_t)count, v, c, NULL, &error, &used), SH_OK);
+        assert_int_equal(
+            F(sh_polygon_within)(n, SH_SIGNED, (T)tolerance, p, (size_t)count, v, c, NULL, &error, &used),
+            SH_OK);
         for (k = 0; k < n * n; k++) total += ((long double)c[k] - exact[k]) * ((long double)c[k] - exact[k]);
-        row_case("kind %d, %d bands, size/distance %.1e, tolerance %.1e, way %d", i % 5, n, ratio, tolerance, used);
+        row_case("kind %d, %d bands, size/distance %.1e, tolerance %.1e, way %d", i % 5, n, ratio, tolerance,
+                 used);
         row_check(w, sqrtl(total), 0, (long double)error + 64 * (long double)EPS * spread * n, 0);
         row_check(given, sqrtl(total), 0, (long double)tolerance + 64 * (long double)EPS * spread * n, 0);
         ways[used]++;
@@ -538,7 +597,8 @@ static void F(texture)(void **state)
 {
     enum { W = 5, H = 7 };
     static const T quad[12] = { -1, -1, 0, 1, -1, 0, 1, 1, 0, -1, 1, 0 }, p[3] = { (T)0.25, (T)0.5, 1 };
-    static T texels[H * W * 2], vertices[W * H * 12], radiance[2 * W * H], out[2 * 25], merged[2 * 25], whole[25];
+    static T texels[H * W * 2], vertices[W * H * 12], radiance[2 * W * H], out[2 * 25], merged[2 * 25],
+        whole[25];
     row *w = row_open("sh_textured_quad", PRECISION);
     int counts[W * H], i, k;
     size_t pieces, n;
@@ -547,18 +607,25 @@ static void F(texture)(void **state)
         texels[2 * i] = 1;
         texels[2 * i + 1] = i % W < 2 ? (T)0.5 : (T)(0.5 + 0.01 * ref_between(-1, 1));
     }
-    assert_int_equal(F(sh_textured_quad)(quad, W, H, 2, texels, (T)0.02, 0, &pieces, NULL, NULL, NULL), SH_OK);
+    assert_int_equal(F(sh_textured_quad)(quad, W, H, 2, texels, (T)0.02, 0, &pieces, NULL, NULL, NULL),
+                     SH_OK);
     assert_int_equal(pieces, 1);
-    assert_int_equal(F(sh_textured_quad)(quad, W, H, 2, texels, 0, W * H, &pieces, counts, vertices, radiance), SH_OK);
+    assert_int_equal(
+        F(sh_textured_quad)(quad, W, H, 2, texels, 0, W * H, &pieces, counts, vertices, radiance), SH_OK);
     assert_true(pieces > 1 && pieces <= W * H);
-    assert_int_equal(F(sh_polygons)(5, SH_VALUES, 2, SH_BOTH, p, pieces, counts, vertices, radiance, out), SH_OK);
+    assert_int_equal(F(sh_polygons)(5, SH_VALUES, 2, SH_BOTH, p, pieces, counts, vertices, radiance, out),
+                     SH_OK);
     F(sh_polygon)(5, SH_BOTH, p, 4, quad, whole, NULL);
     row_case("a channel of one radiance is the quad");
-    for (k = 0; k < 25; k++) row_check(w, (long double)out[k], (long double)whole[k], 64 * (long double)EPS * ref_M(ref_band(k)) * 3.6L, k);
+    for (k = 0; k < 25; k++)
+        row_check(w, (long double)out[k], (long double)whole[k],
+                  64 * (long double)EPS * ref_M(ref_band(k)) * 3.6L, k);
     for (i = 0; i < 4; i++) {
         const T tolerance = (T)(0.002 * (1 << i));
         double size = 0, error = 0;
-        assert_int_equal(F(sh_textured_quad)(quad, W, H, 2, texels, tolerance, W * H, &n, counts, vertices, radiance), SH_OK);
+        assert_int_equal(
+            F(sh_textured_quad)(quad, W, H, 2, texels, tolerance, W * H, &n, counts, vertices, radiance),
+            SH_OK);
         assert_true(n <= pieces);
         F(sh_polygons)(5, SH_VALUES, 2, SH_BOTH, p, n, counts, vertices, radiance, merged);
         row_case("merged within %g: %d pieces", (double)tolerance, (int)n);
@@ -566,19 +633,26 @@ static void F(texture)(void **state)
             size += (double)whole[k] * (double)whole[k];
             error += (double)(merged[25 + k] - out[25 + k]) * (double)(merged[25 + k] - out[25 + k]);
         }
-        row_check(w, sqrtl((long double)error), 0, (long double)tolerance * 2 * sqrtl((long double)size) + 64 * (long double)EPS, 25);
+        row_check(w, sqrtl((long double)error), 0,
+                  (long double)tolerance * 2 * sqrtl((long double)size) + 64 * (long double)EPS, 25);
     }
     for (i = 0; i < H * W * 2; i++) texels[i] = 0;
     texels[2 * 17] = 3;
-    assert_int_equal(F(sh_textured_quad)(quad, W, H, 2, texels, 0, W * H, &n, counts, vertices, radiance), SH_OK);
+    assert_int_equal(F(sh_textured_quad)(quad, W, H, 2, texels, 0, W * H, &n, counts, vertices, radiance),
+                     SH_OK);
     assert_int_equal(n, 1);
     assert_true(radiance[0] == 3 && radiance[1] == 0);
     row_case("one texel lit: its square");
     {
-        const T square[12] = { (T)(-1 + 2 * 2 / 5.), (T)(-1 + 2 * 3 / 7.), 0, (T)(-1 + 2 * 3 / 5.), (T)(-1 + 2 * 3 / 7.), 0, (T)(-1 + 2 * 3 / 5.), (T)(-1 + 2 * 4 / 7.), 0, (T)(-1 + 2 * 2 / 5.), (T)(-1 + 2 * 4 / 7.), 0 };
-        for (k = 0; k < 12; k++) row_check(w, (long double)vertices[k], (long double)square[k], 4 * (long double)EPS, k);
+        const T square[12] = { (T)(-1 + 2 * 2 / 5.), (T)(-1 + 2 * 3 / 7.), 0,
+                               (T)(-1 + 2 * 3 / 5.), (T)(-1 + 2 * 3 / 7.), 0,
+                               (T)(-1 + 2 * 3 / 5.), (T)(-1 + 2 * 4 / 7.), 0,
+                               (T)(-1 + 2 * 2 / 5.), (T)(-1 + 2 * 4 / 7.), 0 };
+        for (k = 0; k < 12; k++)
+            row_check(w, (long double)vertices[k], (long double)square[k], 4 * (long double)EPS, k);
     }
-    assert_int_equal(F(sh_textured_quad)(quad, W, H, 2, texels, 0, 0, &n, counts, vertices, radiance), SH_ERROR_COUNT);
+    assert_int_equal(F(sh_textured_quad)(quad, W, H, 2, texels, 0, 0, &n, counts, vertices, radiance),
+                     SH_ERROR_COUNT);
     assert_int_equal(F(sh_textured_quad)(quad, 0, H, 2, texels, 0, 0, &n, NULL, NULL, NULL), SH_ERROR_COUNT);
     assert_int_equal(F(sh_textured_quad)(NULL, W, H, 2, texels, 0, 0, &n, NULL, NULL, NULL), SH_ERROR_NULL);
     row_close(w);
