@@ -1730,28 +1730,25 @@ SHI_KERNEL void SHI_BN(shi_gradient)(int n, int single, const SHI_V u[4], SHI_V 
     }
 }
 
-/* one coefficient's value, gradient and Hessian from F' and F'' of its polynomial: with t = P F', k = u.F',
- * w = F'' u and p = w + t - (u.w + k) u / 2, the Hessian of Y(v/|v|) is (F'' - u p' - p u' - k I) / |v|^2 */
-SHI_KERNEL void SHI_BN(shi_second)(int single, const SHI_V u[3], SHI_V i, SHI_V value, const SHI_V f[3], const SHI_V h[6],
+/* one coefficient's value, gradient and Hessian. With P = q_l^m(z) U_m, t = P' - (u.P') u and p = P'' u + t - (u.P''u + u.P') u / 2
+ * the gradient of Y(v/|v|) is t / |v| and its Hessian (P'' - u p' - p u' - (u.P') I) / |v|^2; U_m is homogeneous in x and y, so
+ * that all but U_m and its derivatives is shared by m and -m: of[] (u.P')/U, q, d, t_z/U, s, p_z/U, (e - u.P')/U, with d, e the
+ * derivatives of q and p = U_x (u.P')/U - s U u. f[] = U, U_x, U_y, U_xx, U_xy; i = 1/|v| in two steps: its square may overflow */
+SHI_KERNEL void SHI_BN(shi_second)(int single, const SHI_V u[4], SHI_V i, const SHI_V of[7], const SHI_V f[5],
                                    SHI_T *y, SHI_T *g, int g_plane, SHI_T *out, int plane)
 {
-    const SHI_V k = SHI_FMA(u[0], f[0], SHI_FMA(u[1], f[1], u[2] * f[2])), ii = i * i;
-    const SHI_V wx = SHI_FMA(h[0], u[0], SHI_FMA(h[1], u[1], h[2] * u[2]));
-    const SHI_V wy = SHI_FMA(h[1], u[0], SHI_FMA(h[3], u[1], h[4] * u[2]));
-    const SHI_V wz = SHI_FMA(h[2], u[0], SHI_FMA(h[4], u[1], h[5] * u[2]));
-    const SHI_V half = SHI_C(0.5) * SHI_FMA(wx, u[0], SHI_FMA(wy, u[1], SHI_FMA(wz, u[2], k)));
-    const SHI_V tx = f[0] - k * u[0], ty = f[1] - k * u[1], tz = f[2] - k * u[2];
-    const SHI_V px = wx + tx - half * u[0], py = wy + ty - half * u[1], pz = wz + tz - half * u[2];
-    SHI_PUT(y, value, single);
-    SHI_PUT(g, i * tx, single);
-    SHI_PUT(g + g_plane, i * ty, single);
-    SHI_PUT(g + 2 * g_plane, i * tz, single);
-    SHI_PUT(out, ii * (SHI_FMA(SHI_C(-2) * u[0], px, h[0]) - k), single);
-    SHI_PUT(out + plane, ii * (h[1] - SHI_FMA(u[0], py, px * u[1])), single);
-    SHI_PUT(out + 2 * plane, ii * (h[2] - SHI_FMA(u[0], pz, px * u[2])), single);
-    SHI_PUT(out + 3 * plane, ii * (SHI_FMA(SHI_C(-2) * u[1], py, h[3]) - k), single);
-    SHI_PUT(out + 4 * plane, ii * (h[4] - SHI_FMA(u[1], pz, py * u[2])), single);
-    SHI_PUT(out + 5 * plane, ii * (SHI_FMA(SHI_C(-2) * u[2], pz, h[5]) - k), single);
+    const SHI_V b = of[0], q = of[1], d = of[2], f0 = i * f[0], f1 = i * f[1], f2 = i * f[2], k = f0 * b, s = f0 * of[4];
+    const SHI_V xx = (i * f[3]) * q, px = SHI_FMA(f1, b, -(s * u[0])), py = SHI_FMA(f2, b, -(s * u[1])), pz = f0 * of[5];
+    SHI_PUT(y, f[0] * q, single);
+    SHI_PUT(g, SHI_FMA(f1, q, -(k * u[0])), single);
+    SHI_PUT(g + g_plane, SHI_FMA(f2, q, -(k * u[1])), single);
+    SHI_PUT(g + 2 * g_plane, f0 * of[3], single);
+    SHI_PUT(out, i * SHI_FMA(SHI_C(-2) * u[0], px, xx - k), single);
+    SHI_PUT(out + plane, i * SHI_FMA(i * f[4], q, -SHI_FMA(u[0], py, u[1] * px)), single);
+    SHI_PUT(out + 2 * plane, i * SHI_FMA(f1, d, -SHI_FMA(u[0], pz, u[2] * px)), single);
+    SHI_PUT(out + 3 * plane, i * SHI_FMA(SHI_C(-2) * u[1], py, -xx - k), single);
+    SHI_PUT(out + 4 * plane, i * SHI_FMA(f2, d, -SHI_FMA(u[1], pz, u[2] * py)), single);
+    SHI_PUT(out + 5 * plane, i * SHI_FMA(SHI_C(-2) * u[2], pz, f0 * of[6]), single);
 }
 
 /* y[N], g[3][N], h[6][N] of Y(v/|v|) */
@@ -1759,7 +1756,8 @@ SHI_KERNEL void SHI_BN(shi_hessian)(int n, int single, const SHI_V u[4], SHI_V i
                                     SHI_T *h, int stride)
 {
     const int plane = n * n * stride, g_plane = n * n * g_stride;
-    SHI_V a[3], column[3][SH_MAX_BANDS], c0 = SHI_SPLAT(1), s0 = SHI_SPLAT(0), c1 = s0, s1 = s0, c2 = s0, s2 = s0;
+    const SHI_V z = u[2], zero = SHI_SPLAT(0);
+    SHI_V a[3], column[3][SH_MAX_BANDS], c[SH_MAX_BANDS], s[SH_MAX_BANDS];
     int l, m;
     SHI_BN(shi_polar)(u, a);
     SHI_BN(shi_column)(0, n, a, column[0]);
@@ -1768,44 +1766,38 @@ SHI_KERNEL void SHI_BN(shi_hessian)(int n, int single, const SHI_V u[4], SHI_V i
     for (m = 0; m < n; m++) {
         const SHI_V *const q0 = column[m % 3], *const q1 = column[(m + 1) % 3], *const q2 = column[(m + 2) % 3];
         const SHI_T m1 = SHI_C(m), m2 = SHI_C(m * (m - 1));
+        const SHI_V c1 = m > 0 ? c[m - 1] : zero, s1 = m > 0 ? s[m - 1] : zero, c2 = m > 1 ? c[m - 2] : zero, s2 = m > 1 ? s[m - 2] : zero;
+        SHI_V cosine[5], sine[5];
         SHI_BN(shi_column)(m + 2, n, a, column[(m + 2) % 3]);
-        if (m > 0) {                                    /* U, V of m, m-1, m-2 */
-            c2 = c1;
-            s2 = s1;
-            c1 = c0;
-            s1 = s0;
-            SHI_KN(shi_turn)(-u[0], -u[1], &c0, &s0);
-        }
+        SHI_KN(shi_power)(m, u, c, s);
+        cosine[0] = c[m];
+        cosine[1] = sine[2] = -m1 * c1;
+        cosine[2] = m1 * s1;
+        cosine[3] = sine[4] = m2 * c2;
+        cosine[4] = -m2 * s2;
+        sine[0] = s[m];
+        sine[1] = -m1 * s1;
+        sine[3] = m2 * s2;
         SHI_LOOP
         for (l = m; l < n; l++) {
-            const SHI_V q = q0[l], d = l > m ? SHI_FN(shi_slope)[SHI_ROWS(l, m)] * q1[l] : SHI_SPLAT(0);
-            const SHI_V e = l > m + 1 ? (SHI_FN(shi_slope)[SHI_ROWS(l, m)] * SHI_FN(shi_slope)[SHI_ROWS(l, m + 1)]) * q2[l] : SHI_SPLAT(0);
-            const SHI_V qm = m1 * q, qmm = m2 * q, dm = m1 * d;
-            SHI_V f[3], k[6];
-            int at = l * l + l + m;
-            f[0] = -(qm * c1);
-            f[1] = qm * s1;
-            f[2] = d * c0;
-            k[0] = qmm * c2;
-            k[1] = -(qmm * s2);
-            k[2] = -(dm * c1);
-            k[3] = -k[0];
-            k[4] = dm * s1;
-            k[5] = e * c0;
-            SHI_BN(shi_second)(single, u, i, q * c0, f, k, y + at * y_stride, g + at * g_stride, g_plane, h + at * stride, plane);
-            if (m > 0) {
-                at = l * l + l - m;
-                f[0] = -(qm * s1);
-                f[1] = -(qm * c1);
-                f[2] = d * s0;
-                k[0] = qmm * s2;
-                k[1] = qmm * c2;
-                k[2] = -(dm * s1);
-                k[3] = -k[0];
-                k[4] = -(dm * c1);
-                k[5] = e * s0;
-                SHI_BN(shi_second)(single, u, i, q * s0, f, k, y + at * y_stride, g + at * g_stride, g_plane, h + at * stride, plane);
-            }
+            const SHI_V q = q0[l], d = l > m ? SHI_FN(shi_slope)[SHI_ROWS(l, m)] * q1[l] : zero;
+            const SHI_V e = l > m + 1 ? (SHI_FN(shi_slope)[SHI_ROWS(l, m)] * SHI_FN(shi_slope)[SHI_ROWS(l, m + 1)]) * q2[l] : zero;
+            const SHI_V b = SHI_FMA(z, d, m1 * q), wz = SHI_FMA(z, e, m1 * d);         /* u.P', (P''u)_z, (P''u)_x = U_x (b - q) */
+            const SHI_V half = SHI_C(0.5) * SHI_FMA(z, wz, SHI_FMA(SHI_SPLAT(m1), b - q, b));
+            const int at = l * l + l;
+            SHI_V of[7];
+            of[0] = b;
+            of[1] = q;
+            of[2] = d;
+            of[3] = SHI_FMA(-z, b, d);
+            of[4] = b + half;
+            of[5] = SHI_FMA(-z, of[4], wz + d);
+            of[6] = e - b;
+            SHI_BN(shi_second)(single, u, i, of, cosine, y + (at + m) * y_stride, g + (at + m) * g_stride, g_plane,
+                               h + (at + m) * stride, plane);
+            if (m > 0)
+                SHI_BN(shi_second)(single, u, i, of, sine, y + (at - m) * y_stride, g + (at - m) * g_stride, g_plane,
+                                   h + (at - m) * stride, plane);
         }
     }
 }
