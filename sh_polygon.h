@@ -5728,9 +5728,10 @@ SHI_INLINE int SHI_FN(shi_polygons_any)(int n, int planes, int channels, int sid
  *     b < 1.4 (double: 1.8)  64 eps M_l sum |Omega_fan|, gradient 64 eps (M_l |grad Omega| + G_l Omega/d),
  *                            any shape; in double times 1 + 1/(8 sin) at grazing angles, whose heights above
  *                            the plane are rounded
- *     otherwise              16 eps M_l p more, p the perimeter in radians; gradient 64 eps M_l k more, k =
- *                            sum over edges of angle/distance
- * The last is an absolute error: a light of solid angle Omega has a relative one of p/(4 Omega) times as many
+ *     otherwise              32 eps M_l p more, p the perimeter in radians; gradient 128 eps M_l k more, k =
+ *                            sum over edges of angle/distance; for points 1e-3 of the light's size from its
+ *                            edges, and further
+ * The last is an absolute error: a light of solid angle Omega has a relative one of p/(2 Omega) times as many
  * eps, all digits of it in float for a needle of 1:1000 nearer than ten times its length and lower than 1e-3
  * over its plane. Next to a light that fills the view it does not count; for a light that must be right by
  * itself there is sh_polygon.

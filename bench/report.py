@@ -191,8 +191,9 @@ def main(paths):
             print()
 
     heading('Polygons (WR18 Table 2)')
-    print('One polygon seen from many points, ns per point. `library`: many points per call; `edge_frame`: one point per '
-          "call, in double inside; `library_zonal`: WR18's route in its robust form, in double inside.\n")
+    print('One polygon seen from many points, ns per point. `library`: many points per call; `library_one`: one point '
+          "per call, in double inside; `library_zonal`: WR18's route in its robust form, in double inside; `edge_frame`: "
+          "the closed form in each edge's frame, scalar, and in the library's lanes.\n")
     print('WR18 reports its recurrence two to four times faster than monomials, on a GPU. On a CPU monomials written with '
           'equal care take %s times as long for values and %s for gradients of a triangle: they need fewer operations per '
           'edge and degree, which pays for combining them. What they lose is accuracy: in float every digit beyond nine '

@@ -229,12 +229,12 @@ static void F(sums)(void **state)
             for (k = 0; k < n * n; k++) {
                 const int l = ref_band(k);
                 row_check(values, (long double)out[k], (long double)c[k],
-                    64 * (long double)EPS * ref_M(l) * (spread * grazing + large * perimeter / 4), k);
+                    64 * (long double)EPS * ref_M(l) * (spread * grazing + large * perimeter / 2), k);
                 for (a = 0; a < 3; a++)
                     row_check(gradient, (long double)out[(a + 1) * n * n + k], (long double)g[a * n * n + k],
                               64 * (long double)EPS
                                   * ((ref_M(l) * slope + ref_G(l) * spread / nearest) * grazing
-                                     + large * ref_M(l) * kappa),
+                                     + 2 * large * ref_M(l) * kappa),
                               (a + 1) * n * n + k);
             }
         }
