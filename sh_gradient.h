@@ -447,7 +447,8 @@ SHI_KERNEL SHI_V SHI_SQRT(SHI_V v)
 SHI_KERNEL SHI_V SHI_RSQRT(SHI_V v)
 {
 #if defined(__AVX512F__) && SHI_BYTES == 64 && SHI_BITS == 32
-    const SHI_V e = __builtin_ia32_rsqrt14ps512_mask(v, v, (unsigned short)-1), h = SHI_C(0.5) * e, r = SHI_C(0.5) - (v * e) * h;
+    const SHI_V e = __builtin_ia32_rsqrt14ps512_mask(v, v, (unsigned short)-1);
+    const SHI_V h = SHI_C(0.5) * e, r = SHI_C(0.5) - (v * e) * h;
     return e + e * r;
 #else
     return SHI_C(1) / SHI_SQRT(v);
@@ -679,7 +680,8 @@ SHI_KERNEL SHI_V SHI_KN(shi_gap)(const SHI_V y[3], const SHI_T x[3], SHI_V r)
     return (float)(a * a + b * b + c * c - (double)r * (double)r);
 #elif SHI_BITS == 32
     __extension__ typedef double wide __attribute__((__vector_size__(2 * SHI_BYTES)));
-    const wide a = __builtin_convertvector(y[0], wide) - (double)x[0], b = __builtin_convertvector(y[1], wide) - (double)x[1];
+    const wide a = __builtin_convertvector(y[0], wide) - (double)x[0];
+    const wide b = __builtin_convertvector(y[1], wide) - (double)x[1];
     const wide c = __builtin_convertvector(y[2], wide) - (double)x[2], d = __builtin_convertvector(r, wide);
     return __builtin_convertvector(a * a + b * b + c * c - d * d, SHI_V);
 #else
@@ -717,8 +719,9 @@ SHI_KERNEL int SHI_KN(shi_in_range)(SHI_V v, SHI_T lo, SHI_T hi)
     return !SHI_ANY(SHI_KN(shi_out_of)(v, lo, hi));
 }
 
-/* u = v/|v| of a nearly unit v, and u[3] = z^2 - 1/2 = 1/2 - (x^2 + y^2), exact to eps/4 at the poles and the equator: what
- * rounding does to x^2 + y^2 is in e = |v|^2 - 1 as well, and cancels. 1/sqrt(1 + e) = 1 - e/2, the length right to eps/4 */
+/* u = v/|v| of a nearly unit v, and u[3] = z^2 - 1/2 = 1/2 - (x^2 + y^2), exact to eps/4 at the poles and the
+ * equator: what rounding does to x^2 + y^2 is in e = |v|^2 - 1 as well, and cancels. 1/sqrt(1 + e) = 1 - e/2, the
+ * length right to eps/4 */
 SHI_KERNEL SHI_V SHI_KN(shi_polish)(const SHI_V v[3], SHI_V u[4], SHI_V *s)
 {
     const SHI_V r2 = SHI_FMA(v[0], v[0], v[1] * v[1]), e = SHI_FMA(v[2], v[2], SHI_SPLAT(-1)) + r2;
@@ -730,8 +733,8 @@ SHI_KERNEL SHI_V SHI_KN(shi_polish)(const SHI_V v[3], SHI_V u[4], SHI_V *s)
     return SHI_ABS(e);
 }
 
-/* unit vectors and 1/length of vectors of any length; 0 if one is out of range. Nearly unit ones, the usual case, have their
- * own way, and get its bits in whatever company */
+/* unit vectors and 1/length of vectors of any length; 0 if one is out of range. Nearly unit ones, the usual case,
+ * have their own way, and get its bits in whatever company */
 SHI_KERNEL int SHI_KN(shi_unit)(const SHI_V v[3], SHI_V u[4], SHI_V *inverse)
 {
     SHI_V s;
@@ -783,12 +786,12 @@ SHI_KERNEL void SHI_KN(shi_load3)(const SHI_T *p, int lanes, SHI_V v[3])
     v[1] = __builtin_shufflevector(__builtin_shufflevector(a, b, 1, 4, 7, 10, 13, 13, 13, 13), c, 0, 1, 2, 3, 4, 8, 11, 14);
     v[2] = __builtin_shufflevector(__builtin_shufflevector(a, b, 2, 5, 8, 11, 14, 14, 14, 14), c, 0, 1, 2, 3, 4, 9, 12, 15);
 #elif defined(SHI_SHUFFLE) && SHI_LANES == 16
-    v[0] = __builtin_shufflevector(__builtin_shufflevector(a, b, 0, 3, 6, 9, 12, 15, 18, 21, 24, 27, 30, 30, 30, 30, 30, 30), c,
-                                   0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 17, 20, 23, 26, 29);
-    v[1] = __builtin_shufflevector(__builtin_shufflevector(a, b, 1, 4, 7, 10, 13, 16, 19, 22, 25, 28, 31, 31, 31, 31, 31, 31), c,
-                                   0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 18, 21, 24, 27, 30);
-    v[2] = __builtin_shufflevector(__builtin_shufflevector(a, b, 2, 5, 8, 11, 14, 17, 20, 23, 26, 29, 29, 29, 29, 29, 29, 29), c,
-                                   0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 16, 19, 22, 25, 28, 31);
+    v[0] = __builtin_shufflevector(__builtin_shufflevector(a, b, 0, 3, 6, 9, 12, 15, 18, 21, 24, 27, 30, 30, 30, 30, 30, 30),
+                                   c, 0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 17, 20, 23, 26, 29);
+    v[1] = __builtin_shufflevector(__builtin_shufflevector(a, b, 1, 4, 7, 10, 13, 16, 19, 22, 25, 28, 31, 31, 31, 31, 31, 31),
+                                   c, 0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 18, 21, 24, 27, 30);
+    v[2] = __builtin_shufflevector(__builtin_shufflevector(a, b, 2, 5, 8, 11, 14, 17, 20, 23, 26, 29, 29, 29, 29, 29, 29, 29),
+                                   c, 0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 16, 19, 22, 25, 28, 31);
 #else
     v[0] = a;
     v[1] = b;
@@ -884,7 +887,8 @@ SHI_INLINE void SHI_KN(shi_scatter)(const SHI_T *block, int rows, SHI_T *out, si
 {
     int i;
     for (i = 0; i < lanes; i += SHI_W)
-        SHI_KN(shi_transpose_block)(block + i, SH_BLOCK, rows, out + (size_t)i * stride, stride, lanes - i < SHI_W ? lanes - i : SHI_W);
+        SHI_KN(shi_transpose_block)(block + i, SH_BLOCK, rows, out + (size_t)i * stride, stride,
+                                    lanes - i < SHI_W ? lanes - i : SHI_W);
 }
 
 /* ---- basis: the bodies in the SHI_BASIS room, unrolled for a band count known when compiling, and for any ---- */
@@ -932,7 +936,8 @@ SHI_NOINLINE int SHI_KN(shi_blocks_values)(int n, size_t blocks, const SHI_T *di
 }
 SHI_NOINLINE int SHI_KN(shi_blocks_both)(int n, size_t blocks, const SHI_T *dirs, SHI_T *y, size_t yn, SHI_T *g, size_t gn)
 {
-    SHI_BANDS(n, SHI_KN(shi_blocks_fixed), SHI_KN(shi_blocks_any), SH_GRADIENT, blocks, dirs, y, yn, SH_BLOCK, g, gn, SH_BLOCK, g, 0, 0)
+    SHI_BANDS(n, SHI_KN(shi_blocks_fixed), SHI_KN(shi_blocks_any), SH_GRADIENT, blocks, dirs, y, yn, SH_BLOCK, g, gn,
+              SH_BLOCK, g, 0, 0)
 }
 SHI_NOINLINE int SHI_KN(shi_blocks_gradient)(int n, size_t blocks, const SHI_T *dirs, SHI_T *y, SHI_T *g)
 {
@@ -1058,7 +1063,8 @@ SHI_NOINLINE int SHI_KN(shi_single_gradient)(int n, const SHI_T v[3], SHI_T *y, 
 SHI_NOINLINE int SHI_KN(shi_single_hessian)(int n, const SHI_T v[3], SHI_T *y, SHI_T *g, SHI_T *h)
 {
     SHI_T discard;
-    return SHI_KN(shi_one_any)(n, SH_HESSIAN, v, y ? y : &discard, y != NULL, g ? g : &discard, g != NULL, h ? h : &discard, h != NULL);
+    return SHI_KN(shi_one_any)(n, SH_HESSIAN, v, y ? y : &discard, y != NULL, g ? g : &discard, g != NULL, h ? h : &discard,
+                               h != NULL);
 }
 
 /* ---- sum c_i Y_i at W directions, the basis never stored ----
@@ -1099,8 +1105,8 @@ SHI_INLINE void SHI_FN(shi_forward_form)(int n, const SHI_T *c, SHI_T *a)
 #endif
 
 /* terms of column m into value and F', from A, B and their derivatives by z; c[m], s[m] = U_m, V_m */
-SHI_KERNEL void SHI_KN(shi_sum_column)(int m, const SHI_V ab[2], const SHI_V dab[2], const SHI_V *c, const SHI_V *s, int with_grad,
-                                       SHI_V *value, SHI_V f[3])
+SHI_KERNEL void SHI_KN(shi_sum_column)(int m, const SHI_V ab[2], const SHI_V dab[2], const SHI_V *c, const SHI_V *s,
+                                       int with_grad, SHI_V *value, SHI_V f[3])
 {
     if (m == 0) {
         *value = ab[0];
@@ -1126,7 +1132,8 @@ SHI_KERNEL void SHI_KN(shi_add_turned)(SHI_V x, SHI_V y, const SHI_V p[2], SHI_V
     a[1] = SHI_FMA(x, p1, SHI_FMA(y, p0, a[1]));
 }
 
-/* Re sum (A_m(z) - i B_m(z)) (-x - iy)^m by Horner in m too, and its derivatives by z and by the complex number likewise */
+/* Re sum (A_m(z) - i B_m(z)) (-x - iy)^m by Horner in m too, and its derivatives by z and by the complex number
+ * likewise */
 SHI_KERNEL void SHI_KN(shi_sum_horner)(int n, int with_grad, const SHI_T *a, const SHI_V u[4], SHI_V *value, SHI_V f[3])
 {
     const SHI_V x = -u[0], y = -u[1], z = u[2], t = u[3], z2 = z + z;
@@ -1262,11 +1269,13 @@ SHI_KERNEL int SHI_KN(shi_sum_values_any)(int n, const SHI_T *a, size_t count, c
 {
     return SHI_KN(shi_sums)(n, 0, 0, a, count, dirs, values, NULL);
 }
-SHI_KERNEL int SHI_KN(shi_sum_gradient_fixed)(int n, const SHI_T *a, size_t count, const SHI_T *dirs, SHI_T *values, SHI_T *grads)
+SHI_KERNEL int SHI_KN(shi_sum_gradient_fixed)(int n, const SHI_T *a, size_t count, const SHI_T *dirs, SHI_T *values,
+                                              SHI_T *grads)
 {
     return SHI_KN(shi_sums)(n, 1, 1, a, count, dirs, values, grads);
 }
-SHI_KERNEL int SHI_KN(shi_sum_gradient_any)(int n, const SHI_T *a, size_t count, const SHI_T *dirs, SHI_T *values, SHI_T *grads)
+SHI_KERNEL int SHI_KN(shi_sum_gradient_any)(int n, const SHI_T *a, size_t count, const SHI_T *dirs, SHI_T *values,
+                                            SHI_T *grads)
 {
     return SHI_KN(shi_sums)(n, 0, 1, a, count, dirs, values, grads);
 }
@@ -1286,26 +1295,26 @@ SHI_NOINLINE int SHI_KN(shi_sum_gradient)(int n, const SHI_T *a, size_t count, c
  * the recurrence of x_k Y_lm):  kind 0 f_l, l = j;  1 w-, l = j+1;  2 w+, l = j-1;  3 w--, l = j+2;  4 lap, l = j;
  * 5 w++, l = j-2.  w- = f' + (l+1) f/rho, w+ = f' - l f/rho, and the same once more for the second derivatives. */
 
-/* W lights as seen from a point. Geometry, powers and weights are three loops over a block of nb such: in each, the long
- * chains of one vector overlap with its neighbours'. */
+/* W lights as seen from a point. Geometry, powers and weights are three loops over a block of nb such: in each, the
+ * long chains of one vector overlap with its neighbours'. */
 typedef struct {
-    SHI_V x, y;             /* -(center - point)/d: powers of -x - iy carry the sign                                     */
-    SHI_V inverse;          /* 1/d                                                                                       */
-    SHI_V alpha, kappa;     /* cos of the half-angle; 1 - cos                                                            */
-    SHI_V s2, q;            /* (r/d)^2; s2/(alpha d)                                                                     */
-    SHI_V first;            /* weight of band 0: 2 pi kappa, or 4 pi inside, where the others are 0                      */
+    SHI_V x, y;             /* -(center - point)/d: powers of -x - iy carry the sign */
+    SHI_V inverse;          /* 1/d */
+    SHI_V alpha, kappa;     /* cos of the half-angle; 1 - cos */
+    SHI_V s2, q;            /* (r/d)^2; s2/(alpha d) */
+    SHI_V first;            /* weight of band 0: 2 pi kappa, or 4 pi inside, where the others are 0 */
 } SHI_KN(shi_light);
 
-/* returns z; adds to flags: inside, not finite, negative radius. A register with nothing of the kind, and no light that fills
- * half of the point's sky, meets no selection */
+/* returns z; adds to flags: inside, not finite, negative radius. A register with nothing of the kind, and no light
+ * that fills half of the point's sky, meets no selection */
 SHI_KERNEL SHI_V SHI_KN(shi_light_geometry)(const SHI_T point[3], const SHI_V center[3], SHI_V radius, int kinds,
                                             SHI_M flags[3], SHI_KN(shi_light) *o)
 {
     const SHI_V zero = SHI_SPLAT(0), one = SHI_SPLAT(1), tau = SHI_SPLAT(SHI_C(6.2831853071795865));
     const SHI_V dx = point[0] - center[0], dy = point[1] - center[1], dz = center[2] - point[2];
     const SHI_V r2 = SHI_FMA(dx, dx, SHI_FMA(dy, dy, dz * dz)), rough = SHI_FMA(-radius, radius, r2);
-    const SHI_M usual = SHI_BITS_OF(SHI_FMA(SHI_SPLAT(SHI_C(-0.5)), r2, rough)) | SHI_BITS_OF(radius);      /* sign bits */
-    const int plain = !SHI_ANY(usual | SHI_KN(shi_out_of)(rough, SHI_MIN2, SHI_MAX2));
+    const SHI_M signs = SHI_BITS_OF(SHI_FMA(SHI_SPLAT(SHI_C(-0.5)), r2, rough)) | SHI_BITS_OF(radius);
+    const int plain = !SHI_ANY(signs | SHI_KN(shi_out_of)(rough, SHI_MIN2, SHI_MAX2));
     SHI_V gap = rough, length = r2, hole = gap, s, i, ig, x, y, z, alpha;
     SHI_M inside, none;
     if (SHI_RARELY(!plain)) {
@@ -1360,7 +1369,8 @@ SHI_KERNEL void SHI_KN(shi_light_powers)(SHI_V x, SHI_V y, SHI_V radiance, int l
 SHI_KERNEL void SHI_KN(shi_light_weights)(int n, int kinds, const SHI_KN(shi_light) *o, int levels, int nb, SHI_V *w)
 {
     const SHI_T tau = SHI_C(6.2831853071795865);
-    const SHI_V zero = SHI_SPLAT(0), k = tau * o->s2, i = kinds > 1 ? o->inverse : zero, q = kinds > 1 ? o->q : zero, k1 = -tau * q;
+    const SHI_V zero = SHI_SPLAT(0), i = kinds > 1 ? o->inverse : zero, q = kinds > 1 ? o->q : zero;
+    const SHI_V k = tau * o->s2, k1 = -tau * q;
     SHI_V p = SHI_SPLAT(1), step = zero, slope = zero;
     int l, t;
     for (t = 0; t < kinds; t++)                                 /* bands a kind does not reach */
@@ -1381,7 +1391,8 @@ SHI_KERNEL void SHI_KN(shi_light_weights)(int n, int kinds, const SHI_KN(shi_lig
             if (l > 0) SHI_WEIGHT(1, l - 1) = f1 + SHI_C(l + 1) * g;
             SHI_WEIGHT(2, l + 1) = f1 - SHI_C(l) * g;
             if (kinds == SHI_ALL_KINDS) {
-                const SHI_V f2 = tau * (p * (SHI_C(3) * (q * i) + q * q / o->alpha) - slope * (q * q)), h = (f1 - g) * i;
+                const SHI_V f2 = tau * (p * (SHI_C(3) * (q * i) + q * q / o->alpha) - slope * (q * q));
+                const SHI_V h = (f1 - g) * i;
                 if (l > 1) SHI_WEIGHT(3, l - 2) = (f2 + SHI_C(l + 1) * h) + SHI_C(l) * ((f1 + SHI_C(l + 1) * g) * i);
                 SHI_WEIGHT(4, l) = f2 + SHI_C(2) * (f1 * i) - SHI_C(l * (l + 1)) * (g * i);
                 SHI_WEIGHT(5, l + 2) = (f2 - SHI_C(l) * h) - SHI_C(l + 1) * ((f1 - SHI_C(l) * g) * i);
@@ -1395,9 +1406,10 @@ SHI_KERNEL void SHI_KN(shi_light_weights)(int n, int kinds, const SHI_KN(shi_lig
 #define SHI_KINDS_AT(e) (((e) <= 0 ? 1u : 0u) | ((e) <= -1 ? 2u : 0u) | ((e) <= 1 ? 4u : 0u) \
                        | ((e) <= -2 ? 8u : 0u) | ((e) <= 0 ? 16u : 0u) | ((e) <= 2 ? 32u : 0u))
 
-/* `rows` bands of column m, the last one at distance e_last, over the nb vectors of a block: M22's reverse order on a CPU,
- * the sums in registers. first: the column starts here, with q = 1 and z; more: it goes on. sum[rows][kinds][2] */
-SHI_KERNEL void SHI_KN(shi_light_rows)(int rows, int kinds, int e_last, int zonal, int first, int more, int nb, const SHI_T beta[4],
+/* `rows` bands of column m, the last one at distance e_last, over the nb vectors of a block: M22's reverse order on a
+ * CPU, the sums in registers. first: the column starts here, with q = 1 and z; more: it goes on. sum[rows][kinds][2] */
+SHI_KERNEL void SHI_KN(shi_light_rows)(int rows, int kinds, int e_last, int zonal, int first, int more, int nb,
+                                       const SHI_T beta[4],
                                        const SHI_V *z, const SHI_V *c, const SHI_V *v, const SHI_V *w, int kind_stride,
                                        SHI_V *qa, SHI_V *qb, SHI_V *sum)
 {
@@ -1461,7 +1473,8 @@ SHI_KERNEL void SHI_KN(shi_light_column)(int n, int kinds, int m, int nb, const 
     SHI_T beta[4];
     int j = m, i, rows;
 #define SHI_ROWS_OF(r, e, zonal, first) \
-        SHI_KN(shi_light_rows)(r, kinds, e, zonal, first, j + (r) <= top, nb, beta, z, c, v, w + j * nb, levels * nb, qa, qb, sum)
+        SHI_KN(shi_light_rows)(r, kinds, e, zonal, first, j + (r) <= top, nb, beta, z, c, v, w + j * nb, levels * nb, \
+                               qa, qb, sum)
 #define SHI_GROUP(r, e) do { \
         rows = (r); \
         for (i = 0; i < (r); i++) beta[i] = SHI_FN(shi_beta)[SHI_ROWS(j + i, m)]; \
@@ -1504,8 +1517,10 @@ SHI_KERNEL void SHI_KN(shi_load_light)(const SHI_T *spheres, size_t count, size_
         *radius = SHI_LOAD(spheres + 3 * count + first);
         return;
     }
-    for (i = 0; i < SHI_W; i++)
-        for (k = 0; k < 4; k++) t[k][i] = spheres[(size_t)k * count + (first + (size_t)i < count ? first + (size_t)i : count - 1)];
+    for (i = 0; i < SHI_W; i++) {
+        const size_t at = first + (size_t)i < count ? first + (size_t)i : count - 1;
+        for (k = 0; k < 4; k++) t[k][i] = spheres[(size_t)k * count + at];
+    }
     for (k = 0; k < 3; k++) center[k] = SHI_LOAD(t[k]);
     *radius = SHI_LOAD(t[3]);
 }
@@ -1534,9 +1549,10 @@ SHI_KERNEL int SHI_KN(shi_sample_geometry)(const SHI_T *dirs, size_t count, size
     return ok;
 }
 
-/* moments[channels][kinds][levels^2] of all lights at a point (`point`, spheres), or of weighted directions (point NULL,
- * spheres = dirs). radiance[channels][count] or NULL. A block's geometry and weights serve every channel; columns are taken as
- * many at a time as their sums fit the stack. Returns bits: 1 inside, 2 not finite, 4 negative radius */
+/* moments[channels][kinds][levels^2] of all lights at a point (`point`, spheres), or of weighted directions (point
+ * NULL, spheres = dirs). radiance[channels][count] or NULL. A block's geometry and weights serve every channel;
+ * columns are taken as many at a time as their sums fit the stack. Returns bits: 1 inside, 2 not finite, 4 negative
+ * radius */
 SHI_KERNEL int SHI_KN(shi_moments)(int n, int kinds, int channels, const SHI_T *point, size_t count, const SHI_T *spheres,
                                    const SHI_T *radiance, SHI_T *moments)
 {
@@ -1573,7 +1589,8 @@ SHI_KERNEL int SHI_KN(shi_moments)(int n, int kinds, int channels, const SHI_T *
             for (channel = 0, at = 0; channel < channels; channel++) {
                 const SHI_T *const power = radiance ? radiance + (size_t)channel * count : NULL;
                 for (i = 0; i < nb; i++)
-                    SHI_KN(shi_light_powers)(lights[i].x, lights[i].y, SHI_KN(shi_load_radiance)(power, count, first + (size_t)i * SHI_W),
+                    SHI_KN(shi_light_powers)(lights[i].x, lights[i].y,
+                                             SHI_KN(shi_load_radiance)(power, count, first + (size_t)i * SHI_W),
                                              levels, nb, pool + i, pool + levels * nb + i);
                 for (m = m0; m < m1; at += 2 * kinds * (levels - m), m++)
                     SHI_KN(shi_light_column)(n, kinds, m, nb, pool, levels, sums + at);
@@ -1591,18 +1608,18 @@ SHI_KERNEL int SHI_KN(shi_moments)(int n, int kinds, int channels, const SHI_T *
     }
     return bad | (SHI_ANY(flags[0]) ? 1 : 0) | (SHI_ANY(flags[1]) ? 2 : 0) | (SHI_ANY(flags[2]) ? 4 : 0);
 }
-SHI_NOINLINE int SHI_KN(shi_moments_values)(int n, int channels, const SHI_T *point, size_t count, const SHI_T *spheres,
-                                          const SHI_T *radiance, SHI_T *moments)
+SHI_NOINLINE int SHI_KN(shi_moments_values)(int n, int channels, const SHI_T *point, size_t count,
+                                            const SHI_T *spheres, const SHI_T *radiance, SHI_T *moments)
 {
     return SHI_KN(shi_moments)(n, 1, channels, point, count, spheres, radiance, moments);
 }
-SHI_NOINLINE int SHI_KN(shi_moments_gradient)(int n, int channels, const SHI_T *point, size_t count, const SHI_T *spheres,
-                                          const SHI_T *radiance, SHI_T *moments)
+SHI_NOINLINE int SHI_KN(shi_moments_gradient)(int n, int channels, const SHI_T *point, size_t count,
+                                              const SHI_T *spheres, const SHI_T *radiance, SHI_T *moments)
 {
     return SHI_KN(shi_moments)(n, 3, channels, point, count, spheres, radiance, moments);
 }
-SHI_NOINLINE int SHI_KN(shi_moments_hessian)(int n, int channels, const SHI_T *point, size_t count, const SHI_T *spheres,
-                                          const SHI_T *radiance, SHI_T *moments)
+SHI_NOINLINE int SHI_KN(shi_moments_hessian)(int n, int channels, const SHI_T *point, size_t count,
+                                             const SHI_T *spheres, const SHI_T *radiance, SHI_T *moments)
 {
     return SHI_KN(shi_moments)(n, SHI_ALL_KINDS, channels, point, count, spheres, radiance, moments);
 }
@@ -1683,7 +1700,8 @@ SHI_KERNEL void SHI_BN(shi_values)(int n, int single, const SHI_V u[4], SHI_T *y
 }
 
 /* y[N], g[3][N] = dY(v/|v|)/dv at u = v/|v|, i = 1/|v|; a stride of 0 discards an output into one place */
-SHI_KERNEL void SHI_BN(shi_gradient)(int n, int single, const SHI_V u[4], SHI_V i, SHI_T *y, int y_stride, SHI_T *g, int stride)
+SHI_KERNEL void SHI_BN(shi_gradient)(int n, int single, const SHI_V u[4], SHI_V i, SHI_T *y, int y_stride, SHI_T *g,
+                                     int stride)
 {
     const SHI_V z = u[2], xi = -u[0] * i, vi = -u[1] * i, zero = SHI_SPLAT(0);
     SHI_T *const gx = g, *const gy = gx + n * n * stride, *const gz = gy + n * n * stride;
@@ -1730,15 +1748,17 @@ SHI_KERNEL void SHI_BN(shi_gradient)(int n, int single, const SHI_V u[4], SHI_V 
     }
 }
 
-/* one coefficient's value, gradient and Hessian. With P = q_l^m(z) U_m, t = P' - (u.P') u and p = P'' u + t - (u.P''u + u.P') u / 2
- * the gradient of Y(v/|v|) is t / |v| and its Hessian (P'' - u p' - p u' - (u.P') I) / |v|^2; U_m is homogeneous in x and y, so
- * that all but U_m and its derivatives is shared by m and -m: of[] (u.P')/U, q, d, t_z/U, s, p_z/U, (e - u.P')/U, with d, e the
- * derivatives of q and p = U_x (u.P')/U - s U u. f[] = U, U_x, U_y, U_xx, U_xy; i = 1/|v| in two steps: its square may overflow */
+/* one coefficient's value, gradient and Hessian. With P = q_l^m(z) U_m, t = P' - (u.P') u and p = P'' u + t - (u.P''u
+ * + u.P') u / 2 the gradient of Y(v/|v|) is t / |v| and its Hessian (P'' - u p' - p u' - (u.P') I) / |v|^2; U_m is
+ * homogeneous in x and y, so that all but U_m and its derivatives is shared by m and -m: of[] (u.P')/U, q, d, t_z/U,
+ * s, p_z/U, (e - u.P')/U, with d, e the derivatives of q and p = U_x (u.P')/U - s U u. f[] = U, U_x, U_y, U_xx, U_xy;
+ * i = 1/|v| in two steps: its square may overflow */
 SHI_KERNEL void SHI_BN(shi_second)(int single, const SHI_V u[4], SHI_V i, const SHI_V of[7], const SHI_V f[5],
                                    SHI_T *y, SHI_T *g, int g_plane, SHI_T *out, int plane)
 {
-    const SHI_V b = of[0], q = of[1], d = of[2], f0 = i * f[0], f1 = i * f[1], f2 = i * f[2], k = f0 * b, s = f0 * of[4];
-    const SHI_V xx = (i * f[3]) * q, px = SHI_FMA(f1, b, -(s * u[0])), py = SHI_FMA(f2, b, -(s * u[1])), pz = f0 * of[5];
+    const SHI_V b = of[0], q = of[1], d = of[2], f0 = i * f[0], f1 = i * f[1], f2 = i * f[2], xx = (i * f[3]) * q;
+    const SHI_V k = f0 * b, s = f0 * of[4];
+    const SHI_V px = SHI_FMA(f1, b, -(s * u[0])), py = SHI_FMA(f2, b, -(s * u[1])), pz = f0 * of[5];
     SHI_PUT(y, f[0] * q, single);
     SHI_PUT(g, SHI_FMA(f1, q, -(k * u[0])), single);
     SHI_PUT(g + g_plane, SHI_FMA(f2, q, -(k * u[1])), single);
@@ -1752,8 +1772,8 @@ SHI_KERNEL void SHI_BN(shi_second)(int single, const SHI_V u[4], SHI_V i, const 
 }
 
 /* y[N], g[3][N], h[6][N] of Y(v/|v|) */
-SHI_KERNEL void SHI_BN(shi_hessian)(int n, int single, const SHI_V u[4], SHI_V i, SHI_T *y, int y_stride, SHI_T *g, int g_stride,
-                                    SHI_T *h, int stride)
+SHI_KERNEL void SHI_BN(shi_hessian)(int n, int single, const SHI_V u[4], SHI_V i, SHI_T *y, int y_stride, SHI_T *g,
+                                    int g_stride, SHI_T *h, int stride)
 {
     const int plane = n * n * stride, g_plane = n * n * g_stride;
     const SHI_V z = u[2], zero = SHI_SPLAT(0);
@@ -1766,7 +1786,8 @@ SHI_KERNEL void SHI_BN(shi_hessian)(int n, int single, const SHI_V u[4], SHI_V i
     for (m = 0; m < n; m++) {
         const SHI_V *const q0 = column[m % 3], *const q1 = column[(m + 1) % 3], *const q2 = column[(m + 2) % 3];
         const SHI_T m1 = SHI_C(m), m2 = SHI_C(m * (m - 1));
-        const SHI_V c1 = m > 0 ? c[m - 1] : zero, s1 = m > 0 ? s[m - 1] : zero, c2 = m > 1 ? c[m - 2] : zero, s2 = m > 1 ? s[m - 2] : zero;
+        const SHI_V c1 = m > 0 ? c[m - 1] : zero, s1 = m > 0 ? s[m - 1] : zero;
+        const SHI_V c2 = m > 1 ? c[m - 2] : zero, s2 = m > 1 ? s[m - 2] : zero;
         SHI_V cosine[5], sine[5];
         SHI_BN(shi_column)(m + 2, n, a, column[(m + 2) % 3]);
         SHI_KN(shi_power)(m, u, c, s);
@@ -1781,9 +1802,10 @@ SHI_KERNEL void SHI_BN(shi_hessian)(int n, int single, const SHI_V u[4], SHI_V i
         SHI_LOOP
         for (l = m; l < n; l++) {
             const SHI_V q = q0[l], d = l > m ? SHI_FN(shi_slope)[SHI_ROWS(l, m)] * q1[l] : zero;
-            const SHI_V e = l > m + 1 ? (SHI_FN(shi_slope)[SHI_ROWS(l, m)] * SHI_FN(shi_slope)[SHI_ROWS(l, m + 1)]) * q2[l] : zero;
-            const SHI_V b = SHI_FMA(z, d, m1 * q), wz = SHI_FMA(z, e, m1 * d);         /* u.P', (P''u)_z, (P''u)_x = U_x (b - q) */
-            const SHI_V half = SHI_C(0.5) * SHI_FMA(z, wz, SHI_FMA(SHI_SPLAT(m1), b - q, b));
+            const SHI_T slope2 = SHI_FN(shi_slope)[SHI_ROWS(l, m)] * SHI_FN(shi_slope)[SHI_ROWS(l, m + 1)];
+            const SHI_V e = l > m + 1 ? slope2 * q2[l] : zero;
+            const SHI_V b = SHI_FMA(z, d, m1 * q), wz = SHI_FMA(z, e, m1 * d);      /* u.P', (P''u)_z over U */
+            const SHI_V half = SHI_C(0.5) * SHI_FMA(z, wz, SHI_FMA(SHI_SPLAT(m1), b - q, b));   /* (P''u)_x = U_x (b - q) */
             const int at = l * l + l;
             SHI_V of[7];
             of[0] = b;
@@ -1802,8 +1824,8 @@ SHI_KERNEL void SHI_BN(shi_hessian)(int n, int single, const SHI_V u[4], SHI_V i
     }
 }
 
-/* dirs[blocks][3][8] to y[N][8], g[3 N][8], h[6 N][8] per block, yn, gn, hn elements apart (0: each block over the last);
- * a stride ys, gs, hs of 0 discards an output of the looped body */
+/* dirs[blocks][3][8] to y[N][8], g[3 N][8], h[6 N][8] per block, yn, gn, hn elements apart (0: each block over the
+ * last); a stride ys, gs, hs of 0 discards an output of the looped body */
 SHI_KERNEL int SHI_BN(shi_blocks)(int n, int planes, size_t blocks, const SHI_T *dirs, SHI_T *y, size_t yn,
                                   int ys, SHI_T *g, size_t gn, int gs, SHI_T *h, size_t hn, int hs)
 {
@@ -1826,8 +1848,8 @@ SHI_KERNEL int SHI_BN(shi_blocks)(int n, int planes, size_t blocks, const SHI_T 
             SHI_T *const yb = y + b * yn + (ys ? lane : 0), *const gb = g + b * gn + (gs ? lane : 0);
             SHI_T *const hb = h + b * hn + (hs ? lane : 0);
             if (!valid[at]) {
-                const int bad = SHI_FN(shi_one_by_one)(n, planes, SHI_W, dirs + b * (3 * SH_BLOCK) + lane, SH_BLOCK, 1, yb, ys, ys != 0,
-                                                       gb, gs, gs != 0, hb, hs, hs != 0);
+                const int bad = SHI_FN(shi_one_by_one)(n, planes, SHI_W, dirs + b * (3 * SH_BLOCK) + lane, SH_BLOCK, 1,
+                                                       yb, ys, ys != 0, gb, gs, gs != 0, hb, hs, hs != 0);
                 status = bad ? bad : status;
             } else if (planes == SH_VALUES) {
                 SHI_BN(shi_values)(n, 0, u, yb, ys);
@@ -1841,7 +1863,8 @@ SHI_KERNEL int SHI_BN(shi_blocks)(int n, int planes, size_t blocks, const SHI_T 
     return status;
 }
 
-/* y, dtheta, dphi [N] from cosine and sine of theta and phi (M22 Eq. 31-33: X and Z share the norm, which is applied last) */
+/* y, dtheta, dphi [N] from cosine and sine of theta and phi (M22 Eq. 31-33: X and Z share the norm, which is applied
+ * last) */
 SHI_KERNEL void SHI_BN(shi_angles)(int n, SHI_V ct, SHI_V st, SHI_V cp, SHI_V sp, SHI_T *y, SHI_T *dt, SHI_T *dp, int stride)
 {
     const SHI_V x = -(st * cp), v = -(st * sp);
@@ -1889,8 +1912,8 @@ SHI_KERNEL void SHI_BN(shi_angles)(int n, SHI_V ct, SHI_V st, SHI_V cp, SHI_V sp
 }
 
 #if SHI_FIXED && defined(SHI_LINES)
-/* v0 of lanes m = 0, 1, ... of row l: to out[l + m]; v1 to out[l - m], m > 0. `room` elements from out may be written: the
- * garbage of lanes past l falls where the next row, or the other half, comes later */
+/* v0 of lanes m = 0, 1, ... of row l: to out[l + m]; v1 to out[l - m], m > 0. `room` elements from out may be
+ * written: the garbage of lanes past l falls where the next row, or the other half, comes later */
 SHI_KERNEL void SHI_KN(shi_put_row)(int l, const SHI_V *v0, const SHI_V *v1, SHI_T *out, int room)
 {
     const int registers = l / SHI_W + 1, last = registers - 1;
@@ -1910,8 +1933,10 @@ SHI_KERNEL int SHI_KN(shi_one_line)(int n, int planes, const SHI_T d[3], SHI_T *
 {
     enum { REGISTERS = (SHI_POLYNOMIAL_BANDS - 1) / SHI_W + 1 };
     const SHI_V zero = SHI_SPLAT(0), one = SHI_SPLAT(1), order = SHI_KN(shi_orders)();
-    SHI_V v[3], u[4], i, c[REGISTERS + 1], s[REGISTERS + 1], hc[17], hs[17], odd[2];      /* hc, hs: U, V of 2^k, all lanes */
-    SHI_V xc[REGISTERS], xs[REGISTERS], vc[REGISTERS], vs[REGISTERS], ic[REGISTERS], is[REGISTERS], mc[REGISTERS], ms[REGISTERS];
+    SHI_V v[3], u[4], i, odd[2], c[REGISTERS], s[REGISTERS];
+    SHI_V hc[SHI_POLYNOMIAL_BANDS], hs[SHI_POLYNOMIAL_BANDS];       /* U, V of powers of two, all lanes */
+    SHI_V xc[REGISTERS], xs[REGISTERS], vc[REGISTERS], vs[REGISTERS];
+    SHI_V ic[REGISTERS], is[REGISTERS], mc[REGISTERS], ms[REGISTERS];
     const SHI_M upper = (SHI_M)(order != zero), parity = SHI_KN(shi_orders_like)(1, 1);
     int l, r, k, h;
     v[0] = SHI_KEEP(SHI_SPLAT(d[0]));           /* or gcc multiplies before it spreads */
@@ -1952,7 +1977,8 @@ SHI_KERNEL int SHI_KN(shi_one_line)(int n, int planes, const SHI_T d[3], SHI_T *
         SHI_UNROLL
         for (r = 0; r * SHI_W < n; r++) {
             const SHI_V m = r ? order + SHI_SPLAT(SHI_C(r * SHI_W)) : order;
-            const SHI_V c1 = SHI_KN(shi_shift_in)(r ? c[r - 1] : zero, c[r]), s1 = SHI_KN(shi_shift_in)(r ? s[r - 1] : zero, s[r]);
+            const SHI_V c1 = SHI_KN(shi_shift_in)(r ? c[r - 1] : zero, c[r]);
+            const SHI_V s1 = SHI_KN(shi_shift_in)(r ? s[r - 1] : zero, s[r]);
             xc[r] = xi * c[r];
             xs[r] = xi * s[r];
             vc[r] = vi * c[r];
@@ -2005,7 +2031,8 @@ SHI_KERNEL int SHI_KN(shi_one_line)(int n, int planes, const SHI_T d[3], SHI_T *
 }
 #endif
 
-/* one direction, the registers' first lane: what a batch would give, to the bit; 0, and nothing written, when not valid */
+/* one direction, the registers' first lane: what a batch would give, to the bit; 0, and nothing written, when not
+ * valid */
 SHI_KERNEL int SHI_BN(shi_one)(int n, int planes, const SHI_T d[3], SHI_T *y, int ys, SHI_T *g, int gs, SHI_T *h, int hs)
 {
     SHI_V v[3], u[4], inverse;
@@ -2042,7 +2069,8 @@ SHI_INLINE int SHI_FN(shi_check_basis)(int bands, size_t count, const SHI_T *v, 
     return SH_OK;
 }
 
-/* directions one at a time, with the bits of single calls: the status of the last bad one, whose outputs stay as they are */
+/* directions one at a time, with the bits of single calls: the status of the last bad one, whose outputs stay as they
+ * are */
 SHI_NOINLINE int SHI_FN(shi_one_by_one)(int n, int planes, size_t count, const SHI_T *dirs, int axis, int next,
                                         SHI_T *y, int ys, int y_next, SHI_T *g, int gs, int g_next, SHI_T *h, int hs, int h_next)
 {
@@ -2069,15 +2097,16 @@ SHI_NOINLINE int SHI_FN(shi_batch)(int n, int planes, size_t count, const SHI_T 
 {
     SHI_T discard[SH_BLOCK];
     const int s = n * n;
-    if ((size_t)(s * planes * SH_BLOCK) * sizeof(SHI_T) <= SHI_STAGE) return SHI_MANY(shi_plain)(n, planes, count, dirs, y, g, h);
+    if ((size_t)(s * planes * SH_BLOCK) * sizeof(SHI_T) <= SHI_STAGE)
+        return SHI_MANY(shi_plain)(n, planes, count, dirs, y, g, h);
     return SHI_FN(shi_one_by_one)(n, planes, count, dirs, 1, 3, y ? y : discard, y != NULL, y ? s : 0,
                                   g ? g : discard, g != NULL, g ? 3 * s : 0, h ? h : discard, h != NULL, h ? 6 * s : 0);
 }
 
-/* f_l, df_l/dd and d2f_l/dd2 of a sphere with s = r/d, alpha = cos of the half-angle, i = 1/d; with i = 0 the second is the
- * derivative by the half-angle instead. L_lm = f_l Y_lm: f_0 = 2 pi s^2/(1+alpha), f_l = 2 pi s^2 P_l'(alpha)/(l(l+1)).
- * P_l and P_l' run by differences in kappa = 1 - alpha = s^2/(1+alpha): the rounding of alpha, times l^2 for small lights,
- * does not enter. */
+/* f_l, df_l/dd and d2f_l/dd2 of a sphere with s = r/d, alpha = cos of the half-angle, i = 1/d; with i = 0 the second
+ * is the derivative by the half-angle instead. L_lm = f_l Y_lm: f_0 = 2 pi s^2/(1+alpha), f_l = 2 pi s^2
+ * P_l'(alpha)/(l(l+1)). P_l and P_l' run by differences in kappa = 1 - alpha = s^2/(1+alpha): the rounding of alpha,
+ * times l^2 for small lights, does not enter. */
 SHI_INLINE void SHI_FN(shi_cap)(int n, SHI_T s, SHI_T alpha, SHI_T i, SHI_T *f, SHI_T *f1, SHI_T *f2)
 {
     const SHI_T tau = SHI_C(6.2831853071795865), s2 = s * s, q = s2 * i / alpha, kappa = s2 / (1 + alpha);
@@ -2147,7 +2176,8 @@ SHI_NOINLINE int SHI_FN(shi_sphere)(int n, const SHI_T x[3], const SHI_T y[3], S
     return inside ? SH_INSIDE : SH_OK;
 }
 
-SHI_NOINLINE int SHI_FN(shi_light_field)(int n, size_t count, const SHI_T *dirs, const SHI_T *solid_angles, const SHI_T *radiance,
+SHI_NOINLINE int SHI_FN(shi_light_field)(int n, size_t count, const SHI_T *dirs, const SHI_T *solid_angles,
+                                         const SHI_T *radiance,
                                          const SHI_T *depth, const SHI_T *normals, SHI_T *coeffs, SHI_T *grad)
 {
     SHI_T sum[4][SH_MAX_BANDS * SH_MAX_BANDS], y[SH_MAX_BANDS * SH_MAX_BANDS], g[3 * SH_MAX_BANDS * SH_MAX_BANDS];
@@ -2212,19 +2242,21 @@ SHI_INLINE int SHI_FN(shi_check_spheres)(int bands, int planes, int channels, si
     return SH_OK;
 }
 
-/* out[axis](l,m), l < n: derivative by the shading point of the coefficients whose moments at l-1 are `lower` and at l+1 `upper`
- * (both indexed l(l+1)+m), by the recurrences of x_k Y_lm */
+/* out[axis](l,m), l < n: derivative by the shading point of the coefficients whose moments at l-1 are `lower` and at
+ * l+1 `upper` (both indexed l(l+1)+m), by the recurrences of x_k Y_lm */
 SHI_INLINE void SHI_FN(shi_derive)(int n, const SHI_T *lower, const SHI_T *upper, SHI_T *gx, SHI_T *gy, SHI_T *gz)
 {
     const SHI_T *const root = SHI_FN(shi_root), half = SHI_C(0.5), root_half = SHI_C(0.70710678118654752);
     int l, m;
     for (l = 0; l < n; l++) {
         const SHI_T h0 = SHI_FN(shi_inverse_root)[l], h1 = SHI_FN(shi_inverse_root)[l + 1];
-        const SHI_T *const b = lower + l * (l - 1), *const t = upper + (l + 1) * (l + 2);      /* rows l-1 and l+1, at m = 0 */
+        /* rows l-1 and l+1, at m = 0 */
+        const SHI_T *const b = lower + l * (l - 1), *const t = upper + (l + 1) * (l + 2);
         const int at = l * (l + 1);
         for (m = 0; m <= l; m++) {
             const SHI_T up1 = root[l + m + 2] * root[l + m + 1] * h1, zt = root[l + m + 1] * root[l - m + 1] * h1;
-            const SHI_T up0 = m + 1 < l ? root[l - m] * root[l - m - 1] * h0 : 0, zb = m < l ? root[l + m] * root[l - m] * h0 : 0;
+            const SHI_T up0 = m + 1 < l ? root[l - m] * root[l - m - 1] * h0 : 0;
+            const SHI_T zb = m < l ? root[l + m] * root[l - m] * h0 : 0;
             SHI_T uc = up1 * t[m + 1], us = up1 * t[-m - 1], dc = 0, ds = 0;
             if (m + 1 < l) {
                 uc -= up0 * b[m + 1];
@@ -2239,7 +2271,8 @@ SHI_INLINE void SHI_FN(shi_derive)(int n, const SHI_T *lower, const SHI_T *upper
             gz[at - m] = -(zt * t[-m] + (m < l ? zb * b[-m] : 0));
             {
                 const SHI_T k = m == 1 ? root[2] : 1;
-                const SHI_T dn1 = k * root[l - m + 2] * root[l - m + 1] * h1, dn0 = k * root[l + m] * root[l + m - 1] * h0;
+                const SHI_T dn1 = k * root[l - m + 2] * root[l - m + 1] * h1;
+                const SHI_T dn0 = k * root[l + m] * root[l + m - 1] * h0;
                 dc = dn0 * b[m - 1] - dn1 * t[m - 1];
                 if (m > 1) ds = dn0 * b[1 - m] - dn1 * t[1 - m];
             }
@@ -2251,15 +2284,17 @@ SHI_INLINE void SHI_FN(shi_derive)(int n, const SHI_T *lower, const SHI_T *upper
     }
 }
 
-/* one point; out[channels][planes][N], `work` holds 6 (n+2)^2 moments per channel and 9 (n+1)^2 derivatives. Returns shi_moments' bits */
+/* one point; out[channels][planes][N], `work` holds 6 (n+2)^2 moments per channel and 9 (n+1)^2 derivatives. Returns
+ * shi_moments' bits */
 SHI_INLINE int SHI_FN(shi_spheres_at)(int n, int planes, int channels, const SHI_T *point, size_t count, const SHI_T *spheres,
                                       const SHI_T *radiance, SHI_T *work, SHI_T *out)
 {
-    const int size = n * n, extra = planes == SH_VALUES ? 0 : planes == SH_GRADIENT ? 1 : 2, plane = (n + extra) * (n + extra);
-    const int kinds = planes == SH_VALUES ? 1 : planes == SH_GRADIENT ? 3 : 6;
-    const int flags = planes == SH_VALUES   ? SHI_WIDE(shi_moments_values)(n, channels, point, count, spheres, radiance, work)
-                    : planes == SH_GRADIENT ? SHI_WIDE(shi_moments_gradient)(n, channels, point, count, spheres, radiance, work)
-                                            : SHI_WIDE(shi_moments_hessian)(n, channels, point, count, spheres, radiance, work);
+    const int extra = planes == SH_VALUES ? 0 : planes == SH_GRADIENT ? 1 : 2, plane = (n + extra) * (n + extra);
+    const int size = n * n, kinds = planes == SH_VALUES ? 1 : planes == SH_GRADIENT ? 3 : 6;
+    const int flags =
+        planes == SH_VALUES     ? SHI_WIDE(shi_moments_values)(n, channels, point, count, spheres, radiance, work)
+        : planes == SH_GRADIENT ? SHI_WIDE(shi_moments_gradient)(n, channels, point, count, spheres, radiance, work)
+                                : SHI_WIDE(shi_moments_hessian)(n, channels, point, count, spheres, radiance, work);
     SHI_T *const spare = work + channels * kinds * plane;
     int channel, k;
     if (flags > 1) return flags;
@@ -2269,7 +2304,8 @@ SHI_INLINE int SHI_FN(shi_spheres_at)(int n, int planes, int channels, const SHI
             SHI_FN(shi_derive)(n, work + plane, work + 2 * plane, out + size, out + 2 * size, out + 3 * size);
         if (planes == SH_HESSIAN) {
             const int wide = (n + 1) * (n + 1);
-            SHI_T *const below = spare, *const above = below + 3 * wide, *const unused = above + 3 * wide, *const h = out + 4 * size;
+            SHI_T *const below = spare, *const above = below + 3 * wide, *const unused = above + 3 * wide;
+            SHI_T *const h = out + 4 * size;
             SHI_FN(shi_derive)(n - 1, work + 3 * plane, work + 4 * plane, below, below + wide, below + 2 * wide);
             SHI_FN(shi_derive)(n + 1, work + 4 * plane, work + 5 * plane, above, above + wide, above + 2 * wide);
             for (k = 0; k < 3; k++)                             /* rows x, y, z: columns xx xy xz, - yy yz, - - zz */
@@ -2431,7 +2467,8 @@ SH_API int SHI_FN(sh_eval_angles)(int bands, SHI_T theta, SHI_T phi, SHI_T *y, S
 {
     const size_t out = (size_t)bands * (size_t)bands * sizeof *y;
     if (bands < 1 || bands > SH_MAX_BANDS) return SH_ERROR_BANDS;
-    if (shi_overlap(y, out, dtheta, out) || shi_overlap(y, out, dphi, out) || shi_overlap(dtheta, out, dphi, out)) return SH_ERROR_OVERLAP;
+    if (shi_overlap(y, out, dtheta, out) || shi_overlap(y, out, dphi, out) || shi_overlap(dtheta, out, dphi, out))
+        return SH_ERROR_OVERLAP;
     return SHI_ONE(shi_angles)(bands, 1, &theta, &phi, y, dtheta, dphi);
 }
 
@@ -2460,7 +2497,8 @@ SH_API int SHI_FN(sh_eval_angles_n)(int bands, size_t count, const SHI_T *theta,
  *   values  [count] or NULL
  *   grads   [count][3] or NULL
  * Error:  |value - exact| <= (8 + n^2/4) eps sqrt(sum_l M_l^2) |coeffs|_2 over n bands, gradients n times that / |d|. */
-SH_API int SHI_FN(sh_reconstruct_n)(int bands, const SHI_T *coeffs, size_t count, const SHI_T *dirs, SHI_T *values, SHI_T *grads)
+SH_API int SHI_FN(sh_reconstruct_n)(int bands, const SHI_T *coeffs, size_t count, const SHI_T *dirs, SHI_T *values,
+                                    SHI_T *grads)
 {
     SHI_T a[SH_MAX_BANDS * SH_MAX_BANDS];
     const size_t item = sizeof *coeffs, size = (size_t)bands * (size_t)bands;
@@ -2468,7 +2506,8 @@ SH_API int SHI_FN(sh_reconstruct_n)(int bands, const SHI_T *coeffs, size_t count
     if (count == 0) return SH_OK;
     if (!coeffs || !dirs) return SH_ERROR_NULL;
     if (count > SHI_MOST_ITEMS) return SH_ERROR_COUNT;
-    if (shi_overlap(dirs, 3 * count * item, values, count * item) || shi_overlap(dirs, 3 * count * item, grads, 3 * count * item)
+    if (shi_overlap(dirs, 3 * count * item, values, count * item)
+        || shi_overlap(dirs, 3 * count * item, grads, 3 * count * item)
         || shi_overlap(coeffs, size * item, values, count * item) || shi_overlap(coeffs, size * item, grads, 3 * count * item)
         || shi_overlap(values, count * item, grads, 3 * count * item)) return SH_ERROR_OVERLAP;
     if (bands <= SH_UNROLLED_BANDS) SHI_FN(shi_horner_form)(bands, coeffs, a);
@@ -2515,7 +2554,8 @@ SH_API int SHI_FN(sh_project_n)(int bands, size_t count, const SHI_T *dirs, cons
  * The gradient is exact for planar emitters up to the sampling. At a silhouette n.w goes to 0: |n.w| is taken as at
  * least 1e-3 |n|, which bounds what a grazing texel can add.
  * Source: A04 Eq. 10-13, with the same signed normal in both terms. */
-SH_API int SHI_FN(sh_light_field)(int bands, size_t count, const SHI_T *dirs, const SHI_T *solid_angles, const SHI_T *radiance,
+SH_API int SHI_FN(sh_light_field)(int bands, size_t count, const SHI_T *dirs, const SHI_T *solid_angles,
+                                  const SHI_T *radiance,
                                   const SHI_T *depth, const SHI_T *normals, SHI_T *coeffs, SHI_T *grad)
 {
     if (!coeffs || (count && (!dirs || !solid_angles || !radiance || (grad && (!depth || !normals))))) return SH_ERROR_NULL;
@@ -2661,10 +2701,10 @@ SH_API int SHI_FN(sh_spheres)(int bands, int planes, int channels, const SHI_T p
     return SHI_FN(sh_spheres_n)(bands, planes, channels, 1, point, count, spheres, radiance, out);
 }
 
-/* Nodes first .. first+nodes-1 of a grid (x fastest): out[nodes][channels][planes][N] holds those nodes only, so a job system
- * gives each job a range. */
-SH_API int SHI_FN(sh_spheres_grid)(int bands, int planes, int channels, const SHI_FN(sh_grid) *grid, size_t first, size_t nodes,
-                                   size_t count, const SHI_T *spheres, const SHI_T *radiance, SHI_T *out)
+/* Nodes first .. first+nodes-1 of a grid (x fastest): out[nodes][channels][planes][N] holds those nodes only, so a
+ * job system gives each job a range. */
+SH_API int SHI_FN(sh_spheres_grid)(int bands, int planes, int channels, const SHI_FN(sh_grid) *grid, size_t first,
+                                   size_t nodes, size_t count, const SHI_T *spheres, const SHI_T *radiance, SHI_T *out)
 {
     int status;
     if (!grid) return SH_ERROR_NULL;
