@@ -4187,16 +4187,18 @@ SHI_KERNEL SHI_V SHI_KN(shi_polygon_arc)(const SHI_KN(shi_seen) *p, const SHI_KN
 {
     const SHI_V *const a = p->a, *const b = q->a, *const w = p->w, zero = SHI_SPLAT(0), one = SHI_SPLAT(1);
     const SHI_T least = SHI_BITS == 32 ? SHI_C(1e-37) : SHI_C(1e-300 * (SHI_BITS == 64));
-    const SHI_V nx = a[1] * e[2] - a[2] * e[1], ny = a[2] * e[0] - a[0] * e[2],
-                nz = a[0] * e[1] - a[1] * e[0];
+    const SHI_M later = (SHI_M)(q->inverse > p->inverse);       /* the nearer end's product is rounded less */
+    const SHI_V fx = SHI_SELECT(later, b[0], a[0]), fy = SHI_SELECT(later, b[1], a[1]);
+    const SHI_V fz = SHI_SELECT(later, b[2], a[2]);
+    const SHI_V nx = fy * e[2] - fz * e[1], ny = fz * e[0] - fx * e[2], nz = fx * e[1] - fy * e[0];
     const SHI_V dot = a[0] * b[0] + a[1] * b[1] + a[2] * b[2], both = p->inverse * q->inverse;
     const SHI_V n2 = nx * nx + ny * ny + nz * nz, cross = SHI_ABS(nx) + SHI_ABS(ny) + SHI_ABS(nz);
     const SHI_M seen = (SHI_M)(n2 > SHI_SPLAT(least));
     const SHI_V inverse = SHI_SELECT(seen, one, zero) / SHI_SQRT(SHI_SELECT(seen, n2, one));
-    const SHI_V c = dot * both, s = n2 * inverse * both,
-                far = one + SHI_ABS(c); /* cosine and sine of the arc */
-    const SHI_V r = SHI_SQRT(SHI_C(0.5) * far), other = SHI_C(0.5) * s / r,
-                h = SHI_KN(shi_polygon_atan)(s / far);
+    const SHI_V c = dot * both, far = one + SHI_ABS(c),
+                t = n2 * inverse * both; /* cosine and sine of the arc */
+    const SHI_V s = SHI_SELECT(t < far, t, far), r = SHI_SQRT(SHI_C(0.5) * far), other = SHI_C(0.5) * s / r;
+    const SHI_V h = SHI_KN(shi_polygon_atan)(s / far);
     const SHI_M wide = (SHI_M)(c < zero);
     const SHI_V ch = SHI_SELECT(wide, other, r), sh = SHI_SELECT(wide, r, other);
     SHI_V la[3], k1;
@@ -4311,8 +4313,15 @@ SHI_INLINE SHI_V SHI_KN(shi_polygon_turning)(const SHI_V x[3], size_t count, con
         if (i < count) {
             SHI_KN(shi_polygon_see)(x, from, &a);
             for (k = 0; k < 3; k++) e[k] = to[k] - from[k];
-            for (k = 0; k < 3; k++)
-                mu[k] = a.a[(k + 1) % 3] * e[(k + 2) % 3] - a.a[(k + 2) % 3] * e[(k + 1) % 3];
+            {
+                SHI_KN(shi_seen) b;                             /* as shi_polygon_arc: the nearer end */
+                SHI_M later;
+                SHI_KN(shi_polygon_see)(x, to, &b);
+                later = (SHI_M)(b.inverse > a.inverse);
+                for (k = 0; k < 3; k++) b.a[k] = SHI_SELECT(later, b.a[k], a.a[k]);
+                for (k = 0; k < 3; k++)
+                    mu[k] = b.a[(k + 1) % 3] * e[(k + 2) % 3] - b.a[(k + 2) % 3] * e[(k + 1) % 3];
+            }
             n2 = mu[0] * mu[0] + mu[1] * mu[1] + mu[2] * mu[2];
             seen = (SHI_M)(n2 > SHI_SPLAT(least));
             inverse = one / SHI_SQRT(SHI_SELECT(seen, n2, one));
