@@ -3918,12 +3918,8 @@ SHI_KERNEL void SHI_KN(shi_polygon_sums_of)(int ns, int nt, int groups, const SH
                 p1 = q1;
                 q1 = r;
             }
-            r = x0 * c0 - y0 * d0;
-            d0 = x0 * d0 + y0 * c0;
-            c0 = r;
-            r = x1 * c1 - y1 * d1;
-            d1 = x1 * d1 + y1 * c1;
-            c1 = r;
+            SHI_KN(shi_turn)(x0, y0, &c0, &d0);
+            SHI_KN(shi_turn)(x1, y1, &c1, &d1);
         }
     }
 }
