@@ -1,4 +1,5 @@
-/* fuzz_polygon.c - finite input, finite output: raw bits as coordinates, every call of sh_polygon.h, both precisions.
+/* fuzz_polygon.c - finite input, finite output: raw bits as coordinates, every call of sh_polygon.h, both
+ * precisions.
  *
  *     fuzz_polygon [rounds [seed]]        prints the first offending input and ends with 1
  *     clang -fsanitize=fuzzer,address -DSH_FUZZER ...      the same checks under libFuzzer */
@@ -10,32 +11,47 @@
 static int finite_f32(const float *v, size_t n) { return shi_finite_f32(v, n); }
 static int finite_f64(const double *v, size_t n) { return shi_finite_f64(v, n); }
 
-#define FUZZ(T, F, scale)                                                                                              \
-static const char *fuzz##F(const T *in, int vertices, int bands, int sides, int touched)                               \
-{                                                                                                                      \
-    static T c[1024], g[3072], out[2 * 4 * 256 * 2], s[16], gs[48];                                                    \
-    const T *const point = in, *const v = in + 3;                                                                      \
-    const size_t n = (size_t)(bands * bands);                                                                          \
-    T omega, error, r[4] = { 1, 2, 3, 4 };                                                                             \
-    int counts[2], used, status;                                                                                       \
-    (void)touched;                                                                                                     \
-    status = sh_polygon##F(bands, sides, point, (size_t)vertices, v, c, g);                                            \
-    if (status < 0) return status == SH_ERROR_NOT_FINITE && !finite##F(in, (size_t)(3 + 3 * vertices)) ? NULL : "sh_polygon refuses"; \
-    if (!finite##F(c, n) || !finite##F(g, 3 * n)) return finite##F(c, n) ? "sh_polygon gradient" : "sh_polygon";                                                 \
-    if (c[0] * c[0] > (T)(sides == SH_SIGNED ? 400 : 400) * (T)vertices * (T)vertices) return "sh_polygon, too bright"; \
-    if (sh_polygon_solid_angle##F(sides, point, (size_t)vertices, v, &omega, g) < 0 || !finite##F(&omega, 1) || !finite##F(g, 3)) return "sh_polygon_solid_angle"; \
-    if (sh_triangle_as_sphere##F(bands, sides, point, v, v + 3, v + 6, c, g, &error) < 0 || !finite##F(c, n) || !finite##F(g, 3 * n) || !finite##F(&error, 1)) return "sh_triangle_as_sphere"; \
-    status = sh_polygon_zonal##F(bands, v + 3, point, (size_t)vertices, v, s, gs);                                     \
-    if (status >= 0 && (!finite##F(s, (size_t)bands) || !finite##F(gs, 3 * (size_t)bands))) return "sh_polygon_zonal"; \
-    if (sh_polygon_within##F(bands, sides, (T)1e-3, point, (size_t)vertices, v, c, g, &error, &used) < 0 || !finite##F(c, n) || !finite##F(g, 3 * n) || !finite##F(&error, 1)) return "sh_polygon_within"; \
-    counts[0] = vertices;                                                                                              \
-    counts[1] = 3;                                                                                                     \
-    if (sh_polygons_n##F(bands, SH_GRADIENT, 2, sides, 2, in, 2, counts, v, r, out) < 0 || !finite##F(out, 2 * 2 * 4 * n)) return "sh_polygons_n"; \
-    if (sh_polygons_zonal_n##F(bands, SH_GRADIENT, 1, sides, 1, in, 1, counts, v, r, out) < 0 || !finite##F(out, 4 * n)) return "sh_polygons_zonal_n"; \
-    return NULL;                                                                                                       \
-}
-FUZZ(float, _f32, 0)
-FUZZ(double, _f64, 0)
+#define FUZZ(T, F) \
+    static const char *fuzz##F(const T *in, int vertices, int bands, int sides) \
+    { \
+        static T c[1024], g[3072], out[2 * 4 * 256 * 2], s[16], gs[48]; \
+        const T *const point = in, *const v = in + 3; \
+        const size_t n = (size_t)(bands * bands); \
+        T omega, error, r[4] = { 1, 2, 3, 4 }; \
+        int counts[2], used, status; \
+        status = sh_polygon##F(bands, sides, point, (size_t)vertices, v, c, g); \
+        if (status < 0) \
+            return status == SH_ERROR_NOT_FINITE && !finite##F(in, (size_t)(3 + 3 * vertices)) \
+                     ? NULL \
+                     : "sh_polygon refuses"; \
+        if (!finite##F(c, n) || !finite##F(g, 3 * n)) \
+            return finite##F(c, n) ? "sh_polygon gradient" : "sh_polygon"; \
+        if (c[0] * c[0] > (T)400 * (T)vertices * (T)vertices) \
+            return "sh_polygon, too bright"; \
+        if (sh_polygon_solid_angle##F(sides, point, (size_t)vertices, v, &omega, g) < 0 \
+            || !finite##F(&omega, 1) || !finite##F(g, 3)) \
+            return "sh_polygon_solid_angle"; \
+        if (sh_triangle_as_sphere##F(bands, sides, point, v, v + 3, v + 6, c, g, &error) < 0 \
+            || !finite##F(c, n) || !finite##F(g, 3 * n) || !finite##F(&error, 1)) \
+            return "sh_triangle_as_sphere"; \
+        status = sh_polygon_zonal##F(bands, v + 3, point, (size_t)vertices, v, s, gs); \
+        if (status >= 0 && (!finite##F(s, (size_t)bands) || !finite##F(gs, 3 * (size_t)bands))) \
+            return "sh_polygon_zonal"; \
+        if (sh_polygon_within##F(bands, sides, (T)1e-3, point, (size_t)vertices, v, c, g, &error, &used) < 0 \
+            || !finite##F(c, n) || !finite##F(g, 3 * n) || !finite##F(&error, 1)) \
+            return "sh_polygon_within"; \
+        counts[0] = vertices; \
+        counts[1] = 3; \
+        if (sh_polygons_n##F(bands, SH_GRADIENT, 2, sides, 2, in, 2, counts, v, r, out) < 0 \
+            || !finite##F(out, 2 * 2 * 4 * n)) \
+            return "sh_polygons_n"; \
+        if (sh_polygons_zonal_n##F(bands, SH_GRADIENT, 1, sides, 1, in, 1, counts, v, r, out) < 0 \
+            || !finite##F(out, 4 * n)) \
+            return "sh_polygons_zonal_n"; \
+        return NULL; \
+    }
+FUZZ(float, _f32)
+FUZZ(double, _f64)
 
 /* bytes to coordinates: raw bits, or small grid numbers that meet planes, edges and vertices */
 static int run(const uint8_t *data, size_t size)
@@ -70,14 +86,14 @@ static int run(const uint8_t *data, size_t size)
         if (!shi_finite_f32(&f[i], 1)) f[i] = 3e38f;
         if (!shi_finite_f64(&d[i], 1)) d[i] = 1e308;
     }
-    bad = fuzz_f32(f, vertices, bands, sides, kind);
+    bad = fuzz_f32(f, vertices, bands, sides);
     if (bad) {
         printf("%s_f32: bands %d sides %d vertices %d kind %d:", bad, bands, sides, vertices, kind);
         for (i = 0; i < 12 + 3 * vertices; i++) printf(" %.9g", (double)f[i]);
         printf("\n");
         return 1;
     }
-    bad = fuzz_f64(d, vertices, bands, sides, kind);
+    bad = fuzz_f64(d, vertices, bands, sides);
     if (bad) {
         printf("%s_f64: bands %d sides %d vertices %d kind %d:", bad, bands, sides, vertices, kind);
         for (i = 0; i < 12 + 3 * vertices; i++) printf(" %.17g", d[i]);
