@@ -4296,7 +4296,8 @@ SHI_INLINE SHI_V SHI_KN(shi_polygon_turning)(const SHI_V x[3], size_t count, con
     const SHI_T whole = SHI_C(6.28318530717958647692), half = SHI_C(3.14159265358979323846);
     const SHI_T least = SHI_BITS == 32 ? SHI_C(1e-37) : SHI_C(1e-300 * (SHI_BITS == 64));
     const SHI_V zero = SHI_SPLAT(0), one = SHI_SPLAT(1);
-    SHI_V first[3], before[3], corner[3], have = zero, turn_c = one, turn_s = zero, angle, exact;
+    SHI_V first[3], before[3], corner[3], turn_c = one, turn_s = zero, angle, exact;
+    SHI_M any = (SHI_M)(zero != zero);                          /* lanes that have seen an edge */
     size_t i;
     int k;
     for (k = 0; k < 3; k++) first[k] = before[k] = corner[k] = zero;
@@ -4305,7 +4306,7 @@ SHI_INLINE SHI_V SHI_KN(shi_polygon_turning)(const SHI_V x[3], size_t count, con
         SHI_KN(shi_seen) a;
         SHI_T e[3];
         SHI_V mu[3], n2, inverse, c[3], y, z, tc, ts;
-        SHI_M seen, any = (SHI_M)(have > zero), start;
+        SHI_M seen, start;
         if (i < count) {
             SHI_KN(shi_polygon_see)(x, from, &a);
             for (k = 0; k < 3; k++) e[k] = to[k] - from[k];
@@ -4343,7 +4344,7 @@ SHI_INLINE SHI_V SHI_KN(shi_polygon_turning)(const SHI_V x[3], size_t count, con
             first[k] = SHI_SELECT(start, mu[k], first[k]);
             corner[k] = SHI_SELECT(start, a.w[k], corner[k]);
         }
-        have = SHI_SELECT(seen, one, have);
+        any |= seen;
     }
     angle = SHI_KN(shi_polygon_angle)(SHI_ABS(turn_s), turn_c);
     exact = SHI_SELECT(turn_s < zero, angle, -angle);
