@@ -603,8 +603,8 @@ SHI_KERNEL void SHI_KN(shi_put_some)(SHI_T *p, SHI_V v, int room, int lanes)
 #endif
 #endif
 
-/* a*b + c, rounded once where the target can. Kernels leave contraction to the compiler except in sums of two products,
- * where its choice of the product to keep exact would differ from one inlined copy to the next. */
+/* a*b + c, rounded once where the target can: wherever a batch must have the bits of single calls, since what the compiler
+ * contracts may differ from one inlined copy to the next. Elsewhere contraction is left to it. */
 SHI_KERNEL SHI_V SHI_FMA(SHI_V a, SHI_V b, SHI_V c)
 {
 #if SHI_LANES == 1 && SHI_BITS == 32 && (defined(__FMA__) || defined(__aarch64__))
