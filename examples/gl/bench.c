@@ -1,4 +1,5 @@
-/* bench.c - M22's Table 2 (the grid by bands and form), 3 (a frame by lights) and 5 (a frame by bands) as CSV. */
+/* bench.c - M22's Table 2 (the grid by bands and form), 3 (a frame by lights) and 5 (a frame by bands) as
+ * CSV. */
 #include "gl.h"
 
 #include <stdio.h>
@@ -12,12 +13,14 @@ static const char help[] =
     "Times the passes as M22's Tables 2, 3 and 5 do and writes a CSV; a copy, with M22's own figures (RTX 2080)\n"
     "beside ours where the work is the same, goes to the terminal.\n"
     "  --size WxH   of the shaded picture [1920x1080 as M22; 640x360 where software renders]\n"
+    "  --table N    2, 3 or 5 alone\n"
     "  --quick      64 lights, 4^3 nodes, 320x180\n"
     "  --out FILE   [build/gl-bench.csv]\n"
     "  --help\n"
     "Exit code 0; 2 for a bad command line or file; 77 without OpenGL 4.5.\n";
 
-/* M22, RTX 2080, ms. Table 2, bands 5 to 9: spheres forward and reverse, triangles as spheres, polygons [WCZR20] */
+/* M22, RTX 2080, ms. Table 2, bands 5 to 9: spheres forward and reverse, triangles as spheres, polygons
+ * [WCZR20] */
 static const double table2[5][4] = { {4.08, 2.22, 2.53, 7.21}, {5.98, 2.96, 3.39, 13.08}, {7.24, 3.77, 4.42, 16.21},
                                      {12.73, 4.76, 5.35, 29.07}, {22.26, 5.18, 5.74, 164.01} };
 /* what a frame takes: coefficients, with gradients, interpolation, occlusion, reference */
@@ -123,7 +126,7 @@ int main(int argc, char **argv)
 {
     const char *out = "build/gl-bench.csv";
     settings o;
-    int quick = 0, i, bands;
+    int quick = 0, table = 0, i, bands;
     char more;
 
     memset(&o, 0, sizeof o);
@@ -131,7 +134,10 @@ int main(int argc, char **argv)
         if (!strcmp(argv[i], "--help")) { fputs(help, stdout); return 0; }
         else if (!strcmp(argv[i], "--quick")) quick = 1;
         else if (!strcmp(argv[i], "--out") && i + 1 < argc) out = argv[++i];
-        else if (!strcmp(argv[i], "--size") && i + 1 < argc) {
+        else if (!strcmp(argv[i], "--table") && i + 1 < argc) {
+            table = atoi(argv[++i]);
+            if (table != 2 && table != 3 && table != 5) die("--table takes 2, 3 or 5, not '%s'", argv[i]);
+        } else if (!strcmp(argv[i], "--size") && i + 1 < argc) {
             if (sscanf(argv[++i], "%dx%d%c", &o.width, &o.height, &more) != 2 || o.width < 64 || o.height < 64
                 || o.width > 4096 || o.height > 4096)
                 die("--size takes WIDTHxHEIGHT, each from 64 to 4096, not '%s'", argv[i]);
@@ -155,7 +161,7 @@ int main(int argc, char **argv)
            (const char *)glGetString(GL_VERSION), passes_clock(), o.width, o.height, o.nodes[0]);
     printf("%5s  %6s  %-21s %-12s %5s %10s %9s\n", "table", "lights", "kind", "what", "bands", "ms", "M22 ms");
 
-    for (bands = 5; bands <= 9; bands += quick ? 4 : 1) {
+    for (bands = 5; bands <= 9 && (!table || table == 2); bands += quick ? 4 : 1) {
         o.bands = bands;
         grid_rows(o, quick ? 64 : 648, !quick);
     }
@@ -164,11 +170,11 @@ int main(int argc, char **argv)
     passes_lights(&o, &s, now, 0);
     pass_surfaces(&o, &s.eye);
     pass_occlusion(&o, &s.eye);
-    for (i = 0; i < (quick ? 1 : 8); i++) {
+    for (i = 0; i < (quick ? 1 : 8) && (!table || table == 3); i++) {
         use_lights(quick ? 64 : table3[i].lights, o.kind);
         frame_rows(3, o, &table3[i], !quick);
     }
-    for (bands = 5; bands <= 9; bands += quick ? 4 : 1) {
+    for (bands = 5; bands <= 9 && (!table || table == 5); bands += quick ? 4 : 1) {
         o.bands = bands;
         use_lights(quick ? 64 : 512, o.kind);
         frame_rows(5, o, &table5[bands - 5], !quick);

@@ -65,7 +65,7 @@ agreement check_grid(const settings *o, const stage *s, const light *now)
         const int place[3] = { node % o->nodes[0], row % o->nodes[1], row / o->nodes[1] };
         double point[3];
         for (k = 0; k < 3; k++) {
-            volatile float step = size[k] / (float)(o->nodes[k] - 1) * (float)place[k];     /* no contraction */
+            volatile float step = size[k] / (float)(o->nodes[k] - 1) * (float)place[k];   /* no contraction */
             point[k] = (double)(low[k] + step);
         }
         node_by_header(o, s, point, now, cpu);

@@ -1,4 +1,5 @@
-/* context.c - an OpenGL 4.5 core context without a window: EGL on a device, hardware first, or without a surface. */
+/* context.c - an OpenGL 4.5 core context without a window: EGL on a device, hardware first, or without a
+ * surface. */
 #include "gl.h"
 
 #include <epoxy/egl.h>

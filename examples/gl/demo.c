@@ -43,7 +43,7 @@ const char *const kinds[] = { "spheres", "triangles", "polygons", NULL };
 static const char *const scheme_names[] = { "trilinear", "hermite", "edge", "pixel", NULL };
 const char *const scheme_titles[] = { "trilinear", "Hermite, mixed derivatives zero", "edge Hermite",
                                       "per pixel, no grid" };
-const int schemes[SCHEMES] = { 0, 3, 5, PER_POINT };       /* SH_TRILINEAR, SH_HERMITE_ZERO, SH_EDGE_HERMITE */
+const int schemes[SCHEMES] = { 0, 3, 5, PER_POINT };      /* SH_TRILINEAR, SH_HERMITE_ZERO, SH_EDGE_HERMITE */
 
 int scheme_index(int scheme) { return scheme == 0 ? 0 : scheme == 3 ? 1 : scheme == 5 ? 2 : 3; }
 
@@ -124,7 +124,8 @@ void write_png(const char *path, const unsigned char *rgb, int width, int height
 
 /* ---- the picture and its figures ---- */
 
-/* The time of a pass once its shaders are compiled: a first run with few lights, and then the one that counts. */
+/* The time of a pass once its shaders are compiled: a first run with few lights, and then the one that
+ * counts. */
 static double timed(const settings *o, const stage *s, const light *now, int pass, int as_reference)
 {
     int few;

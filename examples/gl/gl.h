@@ -27,7 +27,7 @@ void context_close(void);
 
 /* passes.c ---- */
 enum { FORWARD, REVERSE, MOMENTS, COEFFICIENTS, EXACT };    /* grid.comp says what they are */
-enum { SPHERE_LIGHTS, TRIANGLE_LIGHTS, POLYGON_LIGHTS };    /* spheres, triangles as spheres, exact triangles */
+enum { SPHERE_LIGHTS, TRIANGLE_LIGHTS, POLYGON_LIGHTS };  /* spheres, triangles as spheres, exact triangles */
 enum { MIN_BANDS = 3, MAX_BANDS = 9, MAX_LIGHTS = 1 << 16 };
 typedef struct {
     int bands, lobe_bands, form, kind, scheme;              /* scheme of sh_interp.h, or PER_POINT */
@@ -42,9 +42,9 @@ typedef struct { float sphere[4], radiance[4], normal[4], corner[3][4]; } light;
 typedef struct {
     float *vertex;                                          /* [vertices][7]: position, normal, material */
     int *index;                                             /* [vertices]: the same vertex of the mesh */
-    float *hidden;                                          /* [hides][81]: trace_blocked's, of the mesh's vertices */
+    float *hidden;                                  /* [hides][81]: trace_blocked's, of the mesh's vertices */
     int vertices, turning, hides;                           /* the first `turning` turn about z */
-    int columns, rows, floor;                               /* the floor's tiles, its first vertex of the mesh */
+    int columns, rows, floor;                            /* the floor's tiles, its first vertex of the mesh */
     light *lights;                                          /* [count + moon] */
     int count, moon;                                        /* spheres; exact triangles after them */
     float *moon_corner;                                     /* the polygon they make, [moon_corners][3] */
@@ -54,7 +54,7 @@ typedef struct {
 } stage;
 enum { STAGE_BARE, STAGE_COARSE, STAGE_FULL };              /* BARE: coarse, no moon, no shadows */
 void stage_build(stage *s, int count, int how);
-void stage_move(const stage *s, int triangles, double time, light *now);    /* where the lights are, as what */
+void stage_move(const stage *s, int triangles, double time, light *now);   /* where the lights are, as what */
 void stage_lobe(int bands, float alpha, float *lobe);        /* the GGX lobe of a roughness, band by band */
 void stage_free(stage *s);
 
@@ -72,7 +72,7 @@ void   set3i(GLuint p, const char *name, int x, int y, int z);
 enum { GRID, SURFACES, OCCLUSION, SHADING, PICTURE, PASSES };
 void   passes_open(const stage *s);
 void   passes_close(void);
-void   passes_lights(const settings *o, const stage *s, const light *now, int few);     /* few: one of a sort */
+void   passes_lights(const settings *o, const stage *s, const light *now, int few);   /* few: one of a sort */
 void   pass_grid(const settings *o, const stage *s);
 void   pass_surfaces(const settings *o, const camera *c);
 void   pass_occlusion(const settings *o, const camera *c);
@@ -92,8 +92,8 @@ void letters_open(void);
 void letters_close(void);
 void letters_draw(const settings *o, float x, float y, float zoom, const char *text);
 
-/* check.c ---- largest difference of the GPU's grid from the C headers in double precision, over nodes, bands,
- * channels and axes, in units of FLT_EPSILON times the node's largest value (gradient) in the band. */
+/* check.c ---- largest difference of the GPU's grid from the C headers in double precision, over nodes,
+ * bands, channels and axes, in units of FLT_EPSILON times the node's largest value (gradient) in the band. */
 typedef struct { double value, gradient; } agreement;
 enum { AGREEMENT_BOUND = 64 };
 agreement check_grid(const settings *o, const stage *s, const light *now);

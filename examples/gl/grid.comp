@@ -9,7 +9,7 @@
  *               last light, by a small sparse product: d/dx_k [f(d) Y_lm] lies in bands l-1 and l+1, with
  *               radial factors f' + (l+1) f/d and f' - l f/d and coefficients that know nothing of the light.
  *     COEFFICIENTS  those of REVERSE without gradients: what trilinear interpolation needs
- *     EXACT     exact triangles, in the rows of REVERSE; the lanes are the nodes of one triangle at a time
+ *     EXACT     exact triangles, in the rows of REVERSE; the lanes are nodes of a triangle
  *
  * With TRIANGLES each sphere stands for a triangle (M22, 4.4): its light is scaled by the cosine to the
  * triangle's normal, whose own gradient adds a term along the normal. */
@@ -48,6 +48,10 @@ shared float distance_of[CHUNK], weight_of[3][SH_BANDS + 1][CHUNK];
 shared vec3 part[ROWS][BATCH][LANES + 1];
 #if FORM == MOMENTS
 shared vec3 moment[KEPT][(SH_BANDS + 1) * (SH_BANDS + 1)];
+#elif FORM == EXACT
+shared sh_node node_of[ROWS][LANES];
+shared int octets_of[ROWS];
+shared float angle_of[ROWS];
 #endif
 
 void put(int i, int plane, vec3 rgb)
@@ -64,7 +68,7 @@ void prepare(int slot, Light light)
     vec3 v = light.sphere.xyz - point;
     float d = length(v), cosine = 1.0;
     vec3 u = d > 0.0 ? v / d : vec3(0.0, 0.0, 1.0);
-    d = max(d, 1e-18);                                                  /* at the centre: inside, and finite */
+    d = max(d, 1e-18);                                                 /* at the centre: inside, and finite */
     sh_sphere_weights(d, light.sphere.w, g, dg);
 #if TRIANGLES
     vec3 n = dot(light.normal.xyz, u) < 0.0 ? -light.normal.xyz : light.normal.xyz;
@@ -95,22 +99,43 @@ vec2 power(vec2 p, int m)
 }
 
 #if FORM == EXACT
-void accumulate(Light light, inout vec3 sum[VALUES])
+void accumulate(sh_node p, vec3 radiance, inout vec3 sum[VALUES])
 {
     int m = abs(order);
-    vec3 radiance = light.radiance.rgb;
-    sh_seen t = sh_triangle_of(SH_BANDS, point, light.corner[0].xyz, light.corner[1].xyz, light.corner[2].xyz);
-    if (order == 0 && lane == 0) sum[0] += t.angle * SH_K[0] * radiance;
-    for (int octet = 0; octet < t.octets; octet++) {
-        sh_node p = sh_triangle_node(t, octet, lane);
-        vec2 e1 = m > 0 ? power(p.u.xy, m - 1) : vec2(0.0), e = m > 0 ? sh_times(e1, p.u.xy) : vec2(1.0, 0.0);
-        if (order < 0) { e = vec2(e.y, -e.x); e1 = vec2(e1.y, -e1.x); }
-        sh_column c = sh_first(m);
-        for (int j = 0; j <= TOP - m; j++) {
+    vec2 e1 = m > 0 ? power(p.u.xy, m - 1) : vec2(0.0), e = m > 0 ? sh_times(e1, p.u.xy) : vec2(1.0, 0.0);
+    if (order < 0) { e = vec2(e.y, -e.x); e1 = vec2(e1.y, -e1.x); }     /* the imaginary parts */
+    sh_column c = sh_first(m);
+    for (int j = 0; j <= TOP; j++) {
+        if (m + j <= TOP) {
             vec4 part = sh_node_part(p, c, m + j, m, e, e1);
             for (int k = 0; k < 4; k++) sum[4 * j + k] += part[k] * radiance;
-            sh_climb(c, climb[j], p.u.z);
         }
+        sh_climb(c, climb[j], p.u.z);
+    }
+}
+
+/* One triangle per row: each row works out the nodes of its own, one per lane, and sums up those of all. */
+void add_triangles(int start, inout vec3 sum[VALUES])
+{
+    bool mine = start + row < last;
+    int i = min(start + row, last - 1), most = 0;
+    sh_seen t = sh_triangle_of(SH_BANDS, point, light[i].corner[0].xyz, light[i].corner[1].xyz, light[i].corner[2].xyz);
+    if (lane == 0) {
+        octets_of[row] = mine ? t.octets : 0;
+        angle_of[row] = mine ? t.angle : 0.0;
+        radiance_of[row] = light[i].radiance.rgb;
+    }
+    barrier();
+    for (int r = 0; r < ROWS; r++) {
+        most = max(most, octets_of[r]);
+        if (order == 0 && lane == 0) sum[0] += angle_of[r] * SH_K[0] * radiance_of[r];
+    }
+    for (int octet = 0; octet < most; octet++) {
+        if (mine && octet < t.octets) node_of[row][lane] = sh_triangle_node(t, octet, lane);
+        barrier();
+        for (int r = 0; r < ROWS; r++)
+            if (octet < octets_of[r]) accumulate(node_of[r][lane], radiance_of[r], sum);
+        barrier();
     }
 }
 #elif FORM == FORWARD
@@ -249,7 +274,7 @@ void main()
 {
     place = int(gl_WorkGroupID.x);
     precise vec3 at = cell * vec3(place % count.x, place / count.x % count.y, place / (count.x * count.y));
-    at += origin;                                                       /* rounded twice, as the check does it */
+    at += origin;                                                    /* rounded twice, as the check does it */
     point = at;
     lane = int(gl_LocalInvocationID.x);
     row = int(gl_LocalInvocationID.y);
@@ -259,7 +284,10 @@ void main()
     vec3 sum[VALUES];
     for (int i = 0; i < VALUES; i++) sum[i] = vec3(0.0);
 #if FORM == EXACT
-    for (int i = first; i < last; i++) accumulate(light[i], sum);
+    for (int start = first; start < last; start += ROWS) {
+        add_triangles(start, sum);
+        barrier();
+    }
 #else
     for (int start = first; start < last; start += CHUNK) {
         int here = min(CHUNK, last - start);

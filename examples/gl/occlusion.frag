@@ -1,5 +1,6 @@
-/* occlusion.frag - ambient occlusion in screen space: how much of a small hemisphere lies behind what is seen.
- * With BLUR the second pass: the mean of 4 x 4 pixels on a surface, which takes away the first one's pattern. */
+/* occlusion.frag - ambient occlusion in screen space: how much of a small hemisphere lies behind what is
+ * seen. With BLUR the second pass: the mean of 4 x 4 pixels on a surface, which takes away the first one's
+ * pattern. */
 layout(binding = 0) uniform sampler2D places;
 layout(binding = 1) uniform sampler2D normals;
 layout(binding = 2) uniform sampler2D raw;

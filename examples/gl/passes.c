@@ -1,6 +1,6 @@
 /* passes.c - buffers and targets, and the passes of a frame. */
 #include "gl.h"
-#include "gl_shaders.h"                                     /* the shader files as arrays of lines, by rules.mk */
+#include "gl_shaders.h"                                 /* the shader files as arrays of lines, by rules.mk */
 
 #include <stdio.h>
 #include <stdlib.h>

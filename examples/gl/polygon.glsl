@@ -48,7 +48,8 @@ float sh_atan(float y, float x)
 /* L_lm += k Y + (along . grad Y) / (l(l+1));  its gradient += flux Y - slope (grad Y along the sphere) */
 struct sh_node { vec3 u, along, flux; float k, slope; };
 
-/* Seen from a point, with the front side there. angle: what L_00 has beyond its nodes. panels: per edge, or 0. */
+/* Seen from a point, with the front side there. angle: what L_00 has beyond its nodes. panels: per edge, or
+ * 0. */
 struct sh_seen { vec3 corner[3], area2; float angle; int octets, panels; };
 
 float sh_cosine(vec3 a, vec3 b)
@@ -69,7 +70,7 @@ sh_seen sh_triangle_of(int bands, vec3 point, vec3 a, vec3 b, vec3 c)
     t.angle = 0.0;
     t.panels = 0;
     t.octets = looks < 0.7 ? 1 : looks < 1.4 ? 4 : 16;
-    if (looks > 2.8) {                                          /* an arc of 0.75 takes 8 nodes at 9 bands */
+    if (looks > 2.0) {                                          /* an arc of 0.75 takes 8 nodes at 9 bands */
         float x = length(p), y = length(q), z = length(r);
         float wide = min(sh_cosine(p, q), min(sh_cosine(q, r), sh_cosine(r, p)));
         t.panels = wide > 0.7317 ? 1 : wide > 0.0707 ? 2 : 4;
@@ -96,8 +97,9 @@ sh_node sh_surface_node(sh_seen t, int part, int k)
     return sh_node(u, vec3(0.0), -(w * r) * (t.area2 - 3.0 * facing * u), k0, k0 * r);
 }
 
-/* k-th node of a panel of an edge, on the chord between directions: no angle is computed that the ends of two edges
- * could disagree about, and what is linear along the edge, 1/distance, is so on the chord, before u is normalised. */
+/* k-th node of a panel of an edge, on the chord between directions: no angle is computed that the ends of two
+ * edges could disagree about, and what is linear along the edge, 1/distance, is so on the chord, before u is
+ * normalised. */
 sh_node sh_edge_node(sh_seen t, int edge, int panel, int k)
 {
     vec3 a = t.corner[edge], b = t.corner[(edge + 1) % 3];

@@ -1,19 +1,24 @@
 # The GPU path: M22's grid in a compute shader, shading in a fragment shader. Needs libepoxy, GLFW and stb
-# (Debian: libepoxy-dev libglfw3-dev libstb-dev, for the tests also glslang-tools xvfb); without them nothing is built.
+# (Debian: libepoxy-dev libglfw3-dev libstb-dev, for the tests also glslang-tools xvfb); without them nothing is
+# built.
 GL_DIR     := examples/gl
 GL_LIBS    := $(shell pkg-config --libs epoxy glfw3 2>/dev/null)
 GL_EPOXY   := $(shell pkg-config --libs epoxy 2>/dev/null)
-GL_SHADERS := $(addprefix $(GL_DIR)/,sh.glsl polygon.glsl grid.comp surface.vert surface.frag occlusion.frag shade.frag \
-                final.frag whole.vert text.vert text.frag)
+GL_SHADERS := $(addprefix $(GL_DIR)/,sh.glsl polygon.glsl grid.comp surface.vert surface.frag occlusion.frag \
+                shade.frag final.frag whole.vert text.vert text.frag)
 GL_ROOMS   := context stage programs passes letters check
 GL_OBJECTS := $(patsubst %,$(BUILD)/gl/%.o,$(GL_ROOMS) relight-mesh relight-scene relight-trace)
 GL_HEADERS := $(GL_DIR)/gl.h examples/relight/relight.h $(BUILD)/gl/gl_shaders.h
 
-.PHONY: gl-demo gl-bench gl-bench-quick test-gl check-glsl
+.PHONY: gl-demo gl-bench gl-bench-quick gl-doc test-gl check-glsl
 TEST_TARGETS += test-gl
 TABLE_CHECKS += check-glsl
 
 check-glsl: ; @$(PYTHON) $(GL_DIR)/gen_glsl.py --check
+
+# docs/gl.md from what gl-bench wrote last, or from GL_CSV="FILE ..."
+GL_CSV ?= $(BUILD)/gl-bench.csv
+gl-doc: ; $(PYTHON) $(GL_DIR)/report.py $(GL_CSV) > docs/gl.md
 
 ifneq ($(GL_LIBS),)
 ALL_TARGETS += $(BUILD)/gl-demo

@@ -12,34 +12,34 @@ struct Material { vec3 albedo; float f0, f90, lobe[9]; };
 
 layout(std430, binding = 2) readonly buffer Materials { Material materials[]; };
 layout(std430, binding = 3) readonly buffer Hidden { float hidden[]; };        /* [mesh vertex][HIDDEN_N] */
-layout(std430, binding = 4) readonly buffer Corners { int corners[]; };        /* [triangle][3]: mesh vertices */
+layout(std430, binding = 4) readonly buffer Corners { int corners[]; };     /* [triangle][3]: mesh vertices */
 layout(binding = 0) uniform sampler2D places;
 layout(binding = 1) uniform sampler2D normals;
 layout(binding = 2) uniform sampler2D inside;                           /* of the triangle: u, v, and which */
 layout(binding = 3) uniform sampler2D occlusion;
-layout(binding = 4) uniform samplerBuffer lights;                       /* [light][6]: struct Light of grid.comp */
+layout(binding = 4) uniform samplerBuffer lights;                  /* [light][6]: struct Light of grid.comp */
 layout(binding = 5) uniform samplerBuffer nodes;                        /* [node][coefficient][channel] */
-uniform int spheres, light_count, scheme, terms;                        /* terms = LIGHT_N, a loop not to unroll */
+uniform int spheres, light_count, scheme, terms;                   /* terms = LIGHT_N, a loop not to unroll */
 uniform ivec3 count;
 uniform vec3 origin, cell, eye;
 uniform bool occluded, shadowed;
 uniform vec2 turn;                                                      /* (cos, sin) of the mesh about z */
 uniform int  turning;                                                   /* its triangles */
-uniform ivec3 tiles;                                                    /* the floor: columns, rows, first vertex */
+uniform ivec3 tiles;                                              /* the floor: columns, rows, first vertex */
 
 layout(location = 0) out vec4 radiance;
 
 float gloss[SH_N], diffuse[SH_N];                                       /* the transfer vectors */
 
-/* Ray-traced shadows of the mesh at rest, at the vertices. With the mesh turns what it hides of itself, and of the
- * floor: there a turned shadow is the one at rest of the place turned back. The walls keep theirs. */
+/* Ray-traced shadows of the mesh at rest, at the vertices. With the mesh turns what it hides of itself, and
+ * of the floor: there a turned shadow is the one at rest of the place turned back. The walls keep theirs. */
 void shadows(vec3 place, bool floored, vec3 at)                         /* at: u, v, triangle */
 {
     ivec3 corner;
     vec3 share = vec3(1.0 - at.x - at.y, at.xy);
     int first = 3 * int(at.z);
     bool moved = turn.y != 0.0 && (floored || int(at.z) < turning);
-    if (floored) {                                                      /* its tiles are cut from corner to corner */
+    if (floored) {                                               /* its tiles are cut from corner to corner */
         vec2 p = sh_times(vec2(turn.x, -turn.y), place.xy) - origin.xy;
         p = clamp(p / (cell.xy * vec2(count.xy - 1)) * vec2(tiles.xy), vec2(0.0), vec2(tiles.xy));
         ivec2 tile = min(ivec2(p), tiles.xy - 1);
@@ -55,7 +55,7 @@ void shadows(vec3 place, bool floored, vec3 at)                         /* at: u
              + share.y * hidden[HIDDEN_N * corner.y + i] + share.z * hidden[HIDDEN_N * corner.z + i];
     if (moved) sh_rotate_z(turn, h);
     for (int i = 0; i < LIGHT_N; i++) diffuse[i] -= h[i];
-    float open = max(diffuse[0] / whole, 0.0);                          /* the part of the cosine that sees the room */
+    float open = max(diffuse[0] / whole, 0.0);                 /* the part of the cosine that sees the room */
     for (int i = 0; i < LIGHT_N; i++) gloss[i] *= open;
 }
 
@@ -72,7 +72,8 @@ void transfers(vec3 normal, vec3 mirror, const in float lobe[9])
 }
 
 #if PER_PIXEL
-/* What of a sphere leaves, diffuse and glossy: sum of g_l Y_lm(u) times the transfers; no coefficient is kept. */
+/* What of a sphere leaves, diffuse and glossy: sum of g_l Y_lm(u) times the transfers; no coefficient is
+ * kept. */
 vec2 of_sphere(vec3 v, float radius)
 {
     float weight[SH_BANDS], slope[SH_BANDS], distance = length(v);

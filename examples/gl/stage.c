@@ -45,7 +45,8 @@ void progress(const char *what, double done)
 static void put(float *to, vec3 v) { to[0] = v.x; to[1] = v.y; to[2] = v.z; }
 static vec3 get(const float *v) { return vec(v[0], v[1], v[2]); }
 
-/* M22, Eq. 24-25: the sphere at the triangle's centroid whose disc has its area; from the corners as they are rounded. */
+/* M22, Eq. 24-25: the sphere at the triangle's centroid whose disc has its area; from the corners as they are
+ * rounded. */
 static void take_for_a_sphere(light *l)
 {
     double u[3], v[3], n[3], area2 = 0;
@@ -145,8 +146,8 @@ void stage_build(stage *s, int count, int how)
     free(room.l.sphere); free(room.l.radiance);
 }
 
-/* A wave runs through the spheres; the moon stands. As a triangle a sphere keeps its area and centre and faces the
- * teapot. */
+/* A wave runs through the spheres; the moon stands. As a triangle a sphere keeps its area and centre and
+ * faces the teapot. */
 void stage_move(const stage *s, int triangles, double time, light *now)
 {
     int i, k;

@@ -1,4 +1,5 @@
-/* test_gl.c - the GPU's grid against the C headers on small cases, and its picture against the relight example's. */
+/* test_gl.c - the GPU's grid against the C headers on small cases, and its picture against the relight
+ * example's. */
 #include "sh_interp.h"
 #include "gl.h"
 
@@ -82,7 +83,7 @@ static void one_sphere(const stage *s)
         l.sphere[3] = at[i][3];
         for (o.form = FORWARD; o.form <= MOMENTS; o.form++) {
             const agreement a = agree(&o, &t, &l);
-            if (i < 5) {                                    /* relative to each band's maximum at each node: strict */
+            if (i < 5) {                            /* relative to each band's maximum at each node: strict */
                 sprintf(what, "one sphere at %g %g %g, radius %g, form %d", (double)at[i][0], (double)at[i][1],
                         (double)at[i][2], (double)at[i][3], o.form);
                 expect(what, worse(a.value, a.gradient), AGREEMENT_BOUND);
@@ -115,8 +116,8 @@ static vec3 direction(void)
     return unit(v);
 }
 
-/* One triangle, from sizes of 1/50 of its distance to 20 times it, seen from 210 nodes up to 60 degrees off its normal:
- * closer to its plane the value goes to zero, and its relative error grows with 1/cosine. */
+/* One triangle, from sizes of 1/50 of its distance to 6 times it, seen from 210 nodes up to 60 degrees off
+ * its normal: closer to its plane the value goes to zero, and its relative error grows with 1/cosine. */
 static void one_triangle(const stage *s)
 {
     static const float size[] = { 0.02f, 0.07f, 0.12f, 0.2f, 0.35f, 0.6f, 1, 1.6f, 3, 6 };
@@ -266,8 +267,8 @@ static void picture(const stage *s, light *now)
     free(w.at); free(w.glow);
 }
 
-/* The teapot turned: shadows traced anew against those at rest, turned with it. The walls keep theirs, so they are left
- * out; 128 rays of one pattern leave some noise. */
+/* The teapot turned: shadows traced anew against those at rest, turned with it. The walls keep theirs, so
+ * they are left out; 128 rays of one pattern leave some noise. */
 static void turned(const stage *s, light *now)
 {
     settings o = small(5, 8);

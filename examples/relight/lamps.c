@@ -1,5 +1,6 @@
-/* lamps.c - polygon lights: the exact light of triangles, each triangle replaced by a sphere, and what that costs.
- * After M22's Fig. 12, 16 and 17: many small triangles, where the replacement is good; few large and narrow ones. */
+/* lamps.c - polygon lights: the exact light of triangles, each triangle replaced by a sphere, and what that
+ * costs. After M22's Fig. 12, 16 and 17: many small triangles, where the replacement is good; few large and
+ * narrow ones. */
 #include "sh_interp.h"
 #include "relight.h"
 

@@ -162,7 +162,7 @@ typedef struct {
     int line, positions, normals;
     vec3 *position, *normal;
     int *head;                  /* of each position: its first vertex, or -1 */
-    int *next, *with;           /* of each vertex: the next one at its position; its normal, or -1 for a smooth one */
+    int *next, *with;   /* of each vertex: the next one at its position; its normal, or -1 for a smooth one */
 } reader;
 
 static vec3 read_vec(const reader *r, const char *s)

@@ -69,7 +69,7 @@ float picture_exposure(const view *w, const float *rgb)
     return sum > 0 ? (float)(0.13 * weight / sum) : 1;
 }
 
-static float tone(float x)                       /* Narkowicz 2015, a fit to the ACES curve; then the sRGB one */
+static float tone(float x)                    /* Narkowicz 2015, a fit to the ACES curve; then the sRGB one */
 {
     const float t = x * (2.51f * x + 0.03f) / (x * (2.43f * x + 0.59f) + 0.14f), y = fminf(fmaxf(t, 0), 1);
     return y <= 0.0031308f ? 12.92f * y : 1.055f * powf(y, 1 / 2.4f) - 0.055f;

@@ -47,13 +47,13 @@ void  progress(const char *what, double done);
 typedef struct { vec3 p, n; } vertex;
 typedef struct { int v[3], material; } triangle;
 typedef struct { vertex *v; triangle *t; int vertices, triangles; } mesh;
-enum { GLAZE, FLOOR_LIGHT, FLOOR_DARK, WALL, MATERIALS, LAMP = MATERIALS };      /* LAMP + i: polygon light i */
+enum { GLAZE, FLOOR_LIGHT, FLOOR_DARK, WALL, MATERIALS, LAMP = MATERIALS };    /* LAMP + i: polygon light i */
 
-void mesh_teapot(mesh *m, int steps);                        /* Newell's 32 patches, steps x steps quads each */
+void mesh_teapot(mesh *m, int steps);                      /* Newell's 32 patches, steps x steps quads each */
 void mesh_read_obj(mesh *m, const char *path, char up);
 void mesh_add(mesh *m, vec3 a, vec3 b, vec3 c, int kind);
 void mesh_copy(mesh *to, const mesh *from);
-void mesh_place(mesh *m, float turn, vec3 room_for);         /* turn about z, fit into a box, stand on z = 0 */
+void mesh_place(mesh *m, float turn, vec3 room_for);        /* turn about z, fit into a box, stand on z = 0 */
 void mesh_add_room(mesh *m, vec3 low, vec3 high, float step);
 
 /* scene.c */
@@ -65,13 +65,13 @@ typedef struct {
     mesh m;
     int casters;                                             /* its first triangles, which cast shadows */
     lights l;
-    lamps p;                                                 /* polygon lights, in the mesh, too, to be seen */
+    lamps p;                                                /* polygon lights, in the mesh, too, to be seen */
     camera c;
     vec3 low, high;                                          /* the room, and what a grid covers */
 } scene;
 extern const material materials[MATERIALS];
 void scene_build(scene *s, const char *obj /* or NULL: the teapot */, char up, int lights, int quick);
-void scene_copy(scene *s, const scene *from);                /* all but its polygon lights; shares the spheres */
+void scene_copy(scene *s, const scene *from);             /* all but its polygon lights; shares the spheres */
 void scene_add_lamp(scene *s, const vec3 *corner, int corners, vec3 radiance);
 void scene_add_moon(scene *s);
 void scene_free_copy(scene *s);
@@ -93,10 +93,10 @@ void view_trace(view *w, const scene *s, int width, int height);
 float *trace_blocked(const scene *s, int bands, int rays);
 
 /* shade.c */
-enum { BANDS = 9, PER_POINT = -1 };                          /* the shadows' bands; a scheme: no grid at all */
+enum { BANDS = 9, PER_POINT = -1 };                         /* the shadows' bands; a scheme: no grid at all */
 typedef struct {
     const char *name;
-    int scheme, nodes, planes, as_spheres;                   /* of sh_interp.h; along each axis; lamps as spheres */
+    int scheme, nodes, planes, as_spheres;             /* of sh_interp.h; along each axis; lamps as spheres */
     double build, shade, error;                              /* seconds, seconds, mean absolute error */
     float *rgb;                                              /* [points][3] */
 } method;

@@ -1,4 +1,5 @@
-/* scene.c - what stands where: the mesh, its room, a picture of one sphere per texel, strings of bulbs, the camera. */
+/* scene.c - what stands where: the mesh, its room, a picture of one sphere per texel, strings of bulbs, the
+ * camera. */
 #include "relight.h"
 
 #include <stdlib.h>
@@ -36,9 +37,10 @@ static vec3 sunset(float u, float v)
     return up < 0.45f ? mix(gold, rose, up / 0.45f) : mix(rose, zenith, (up - 0.45f) / 0.55f);
 }
 
-/* Four fifths of the spheres make the picture, the rest six strings of bulbs across the room, warm on the left, cold
- * on the right. The camera sees the last two; the first are footlights, the others hang above its view. All keep about
- * a cell of an 8^3 grid away from floor and walls: nearer ones are to be evaluated directly, at every point. */
+/* Four fifths of the spheres make the picture, the rest six strings of bulbs across the room, warm on the
+ * left, cold on the right. The camera sees the last two; the first are footlights, the others hang above its
+ * view. All keep about a cell of an 8^3 grid away from floor and walls: nearer ones are to be evaluated
+ * directly, at every point. */
 static void hang_all(lights *l, int count, vec3 low, vec3 high)
 {
     static const struct { float y, z, sag, power; } string[6] = { {-0.16f, 0.06f, 0, 8}, {0.02f, 0.97f, 0.06f, 30},
@@ -97,7 +99,8 @@ void scene_free_copy(scene *s)
     free(s->m.v); free(s->m.t); free(s->p.sides); free(s->p.vertex); free(s->p.radiance);
 }
 
-/* To be seen, it is cut into triangles across, from its first and last corner on: enough for a triangle or a moon. */
+/* To be seen, it is cut into triangles across, from its first and last corner on: enough for a triangle or a
+ * moon. */
 void scene_add_lamp(scene *s, const vec3 *corner, int corners, vec3 radiance)
 {
     lamps *p = &s->p;
@@ -120,8 +123,8 @@ void scene_add_lamp(scene *s, const vec3 *corner, int corners, vec3 radiance)
     }
 }
 
-/* A concave polygon of 30 sides: two arcs from horn to horn. Dim, because in its plane, where one side gives way to the
- * other, the light of a polygon has a kink that no grid can follow. */
+/* A concave polygon of 30 sides: two arcs from horn to horn. Dim, because in its plane, where one side gives
+ * way to the other, the light of a polygon has a kink that no grid can follow. */
 void scene_add_moon(scene *s)
 {
     const vec3 middle = vec(2.6f, 2.2f, 4.2f);

@@ -47,7 +47,8 @@ static void add_to(float *sum, const float *more, size_t count)
 
 typedef struct { sh_grid_f32 grid; float *coeffs /* [nodes][3][planes][n2] */; } field;
 
-/* Polygons have no Hessian: a grid with Hessians holds the spheres alone, shade() adds the polygons at the points. */
+/* Polygons have no Hessian: a grid with Hessians holds the spheres alone, shade() adds the polygons at the
+ * points. */
 static field field_build(const scene *s, method *m, int bands)
 {
     enum { CHUNK = 16 };
@@ -87,7 +88,8 @@ static field field_build(const scene *s, method *m, int bands)
     return f;
 }
 
-/* What a thread works on: points, their transfers, colours (albedo / pi, Fresnel), and the light there, packed. */
+/* What a thread works on: points, their transfers, colours (albedo / pi, Fresnel), and the light there,
+ * packed. */
 typedef struct {
     float place[BLOCK][3], normal[BLOCK][3], tint[BLOCK][4];
     float diffuse[BLOCK * MAX_N2], gloss[BLOCK * MAX_N2], light[BLOCK * 3 * MAX_N2], more[BLOCK * 3 * MAX_N2];
@@ -120,7 +122,7 @@ static void transfers(const scene *s, const float *blocked, int bands, const spo
             const float *hidden = blocked + (size_t)s->m.t[p[i].triangle].v[k] * MAX_N2;
             for (j = 0; j < n2; j++) d[j] -= share[k] * hidden[j];
         }
-        open = fmaxf(open * d[0], 0);                                  /* the part of the cosine that sees the room */
+        open = fmaxf(open * d[0], 0);                          /* the part of the cosine that sees the room */
         check(sh_diffuse_from_product_f32(b->gloss + i * n2, &under_white));
         b->tint[i][3] = open * fresnel / fmaxf(under_white, 0.05f);    /* Schlick 1994; a white room comes back */
         for (k = 0; k < 3; k++) b->tint[i][k] = m->albedo[k] / PI;

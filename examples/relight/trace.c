@@ -163,7 +163,8 @@ static void bvh_free(bvh *b)
 
 /* ---- rays ---- */
 
-/* Moeller and Trumbore 1997. Shadow rays pass through back faces: a vertex inside a closed part is not in its shade. */
+/* Moeller and Trumbore 1997. Shadow rays pass through back faces: a vertex inside a closed part is not in its
+ * shade. */
 static void meet_triangle(const bvh *b, int item, vec3 from, vec3 d, int shadow, hit *h)
 {
     const int *v = b->m->t[item].v;
@@ -215,7 +216,7 @@ static hit traverse(const bvh *b, vec3 from, vec3 d, int any)
             if (any && h.item >= 0) break;
         } else {
             const float s = enter(&b->at[n->first], from, over, h.t), t = enter(&b->at[n->first + 1], from, over, h.t);
-            const int near = t < s;                                                   /* pushed last, met first */
+            const int near = t < s;                                               /* pushed last, met first */
             if (top > 126) break;
             if ((near ? s : t) <= h.t) stack[top++] = n->first + !near;
             if ((near ? t : s) <= h.t) stack[top++] = n->first + near;
@@ -231,7 +232,7 @@ static int bvh_blocked(const bvh *b, vec3 from, vec3 d) { return traverse(b, fro
 
 enum { SUB = 3 };
 
-typedef struct { vec3 n; float t; int kind; } seen;                /* kind: material, or -1 - light, or NOTHING */
+typedef struct { vec3 n; float t; int kind; } seen;            /* kind: material, or -1 - light, or NOTHING */
 enum { NOTHING = INT_MAX };
 typedef struct {
     const camera *c;
@@ -377,7 +378,7 @@ float *trace_blocked(const scene *s, int bands, int rays)
     bvh *b = bvh_build(m, s->casters, NULL);
     int i, done = 0;
 
-    for (i = 0; i < rays; i++) {                                   /* a golden spiral: even, and the same everywhere */
+    for (i = 0; i < rays; i++) {                          /* a golden spiral: even, and the same everywhere */
         const float z = 1 - (2 * (float)i + 1) / (float)rays, r = sqrtf(1 - z * z), a = 2.39996323f * (float)i;
         direction[i] = vec(r * cosf(a), r * sinf(a), z);
     }
