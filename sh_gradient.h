@@ -1316,7 +1316,7 @@ SHI_KERNEL SHI_V SHI_KN(shi_light_geometry)(const SHI_T point[3], const SHI_V ce
     const SHI_M signs = SHI_BITS_OF(SHI_FMA(SHI_SPLAT(SHI_C(-0.5)), r2, rough)) | SHI_BITS_OF(radius);
     const int plain = !SHI_ANY(signs | SHI_KN(shi_out_of)(rough, SHI_MIN2, SHI_MAX2));
     SHI_V gap = rough, length = r2, hole = gap, s, i, ig, x, y, z, alpha;
-    SHI_M inside, none;
+    SHI_M inside = SHI_BITS_OF(zero), none = inside;
     if (SHI_RARELY(!plain)) {
         const SHI_M close = (SHI_M)(rough < SHI_C(0.5) * r2);
         if (SHI_ANY(close)) gap = SHI_SELECT(close, SHI_KN(shi_gap)(center, point, radius), rough);
