@@ -243,7 +243,7 @@ static int headless(const options *a, const stage *s, light *now)
         printf("%-34s %8.2f   %9.3f   %7.4f   %.1fx\n", scheme_titles[i], ms, 1e3 * d.mean, d.largest,
                pixel_ms / (grid_ms + ms));
         sprintf(text, "%s: %d x error, MAE %.2f / 1000", scheme_names[i], ERROR_SCALE, 1e3 * d.mean);
-        label(&o, 3, text);
+        label(&o, (float)o.width / 320, text);
         part = passes_picture(&o);
         paste_small(page, o.width, i * (o.width / 3), o.height, part, o.height);
         free(part);

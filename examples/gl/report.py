@@ -1,12 +1,14 @@
 #!/usr/bin/env python3
-"""Writes docs/gl.md (to standard output) from gl-bench's CSVs: report.py FILE.csv ... > docs/gl.md
+"""Writes docs/gl.md (to standard output) from gl-bench's CSVs: report.py [--note TEXT] FILE.csv ... > docs/gl.md
 
 A row of a later file replaces the same row of an earlier one; each renderer gets tables of its own."""
 import csv
 import sys
 
+args = sys.argv[1:]
+note = args[1] if args[:1] == ['--note'] else ''
 rows = {}
-for path in sys.argv[1:]:
+for path in args[2:] if note else args:
     with open(path) as f:
         for r in csv.DictReader(f):
             key = r['renderer'], int(r['table']), int(r['lights']), r['kind'], r['what'], int(r['bands'])
@@ -39,6 +41,8 @@ Written by examples/gl/report.py from the CSV of `make gl-bench`; do not edit. M
 et al. 2022 (M22) print for an RTX 2080, where the work is the same. A software renderer is no GPU: its columns say how
 the forms compare there, and nothing about a graphics card.
 ''')
+if note:
+    print(note + '\n')
 for renderer in sorted({k[0] for k in rows}):
     mine = [k for k in rows if k[0] == renderer]
     some = rows[mine[0]]
@@ -61,8 +65,8 @@ for renderer in sorted({k[0] for k in rows}):
         frames = [k for k in mine if k[1] == number]
         if not frames:
             continue
-        print('%s, %s pixels: the grid without and with gradients, edge Hermite with shading, occlusion, and every\n'
-              'light at every pixel.\n' % (text, rows[frames[0]]['size']))
+        print('%s, %s pixels: the grid without and with gradients, edge Hermite with\n'
+              'shading, occlusion, and every light at every pixel.\n' % (text, rows[frames[0]]['size']))
         lines = []
         for v in sorted({k[by] for k in frames}):
             lights, b = (v, frames[0][5]) if by == 2 else (frames[0][2], v)
