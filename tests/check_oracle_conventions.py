@@ -1,6 +1,6 @@
 """sh-oracle --convention NAME against each system's definition as docs/conventions.md words it, derived here and
 nowhere else: order, sign, scale and axes of what every function reads and writes."""
-import math
+import subprocess
 from mpmath import mpf, mpc, sqrt, pi
 from check_oracle_lights import FUNCTIONS as LIGHTS
 from check_oracle_products import FUNCTIONS as PRODUCTS
@@ -53,7 +53,7 @@ def square(c, bands):
 
 
 def gsl(c, bands):
-    """f = sum over m >= 0 of P_lm (a cos m phi + b sin m phi), P_lm orthonormal, no (-1)^m: Y = sqrt 2 P cos."""
+    """f = sum over m >= 0 of P_lm (a cos m phi + b sin m phi), P_lm orthonormal, no (-1)^m."""
     tables = [[], []]
     for l in range(bands):
         for m in range(l + 1):
@@ -132,8 +132,17 @@ def linear(theirs, values, bands):
     return [(e, 4 * top * unit + 4 * abs(e)) for e in theirs([v for v, _ in values], bands)]
 
 
+def unknown(oracle):
+    """Conventions that the program lists and this file does not define."""
+    text = subprocess.run([oracle, "--help"], stdout=subprocess.PIPE, universal_newlines=True).stdout
+    names = text.split("impulse):")[1].split("A bad query")[0].split()
+    return sorted(set(names) ^ set(SYSTEMS))
+
+
 def check(options, rng, ask, Worst):
-    bad = 0
+    bad = len(unknown(options.oracle))
+    if bad:
+        print("FAIL conventions not on both sides:", *unknown(options.oracle))
     for name, (theirs, most, *more) in SYSTEMS.items():
         if options.convention not in (None, name):
             continue
