@@ -340,6 +340,7 @@ SHI_INLINE int shi_overlap(const void *a, size_t a_bytes, const void *b, size_t 
 #define SHI_PUT(p, v, single) SHI_KN(shi_put)(p, v, single)
 #define SHI_SQRT(v)     SHI_KN(shi_sqrt)(v)
 #define SHI_RSQRT(v)    SHI_KN(shi_rsqrt)(v)
+#define SHI_RSQRT_ROUGHLY(v) SHI_KN(shi_rsqrt_roughly)(v)
 #define SHI_FMA(a, b, c) SHI_KN(shi_fma)(a, b, c)
 #define SHI_ABS(v)      SHI_KN(shi_abs)(v)
 #define SHI_SUM(v)      SHI_KN(shi_sum)(v)
@@ -366,6 +367,7 @@ SHI_INLINE int shi_overlap(const void *a, size_t a_bytes, const void *b, size_t 
 #undef SHI_PUT
 #undef SHI_SQRT
 #undef SHI_RSQRT
+#undef SHI_RSQRT_ROUGHLY
 #undef SHI_FMA
 #undef SHI_ABS
 #undef SHI_SUM
@@ -405,6 +407,7 @@ SHI_KERNEL SHI_V SHI_SPLAT(SHI_T s)                { return s; }
 SHI_KERNEL SHI_V SHI_SQRT(SHI_V v)                 { return SHI_LIBM(sqrt)(v); }
 SHI_KERNEL SHI_V SHI_ABS(SHI_V v)                  { return SHI_LIBM(fabs)(v); }
 SHI_KERNEL SHI_V SHI_RSQRT(SHI_V v)                { return SHI_C(1) / SHI_LIBM(sqrt)(v); }
+SHI_KERNEL SHI_V SHI_RSQRT_ROUGHLY(SHI_V v)        { return SHI_RSQRT(v); }
 SHI_KERNEL SHI_T SHI_SUM(SHI_V v)                  { return v; }
 SHI_KERNEL int   SHI_ANY(SHI_M m)                  { return m != 0; }
 SHI_KERNEL SHI_V SHI_KEEP(SHI_V v)                 { return v; }
@@ -443,11 +446,22 @@ SHI_KERNEL SHI_V SHI_SQRT(SHI_V v)
     return v;
 #endif
 }
-/* 1/sqrt to 1 ulp: estimate and one Newton step where the estimate has 14 bits, else by division */
+/* 1/sqrt to 14 bits at least, the same on every machine of an instruction set */
+SHI_KERNEL SHI_V SHI_RSQRT_ROUGHLY(SHI_V v)
+{
+#if defined(__AVX512F__) && SHI_BYTES == 64 && SHI_BITS == 32
+    return __builtin_ia32_rsqrt14ps512_mask(v, v, (unsigned short)-1);
+#elif defined(__AVX512VL__) && SHI_BYTES == 32 && SHI_BITS == 32
+    return __builtin_ia32_rsqrt14ps256_mask(v, v, (unsigned char)-1);
+#else
+    return SHI_C(1) / SHI_SQRT(v);
+#endif
+}
+/* 1/sqrt to 1 ulp: with a Newton step where that is faster than to divide */
 SHI_KERNEL SHI_V SHI_RSQRT(SHI_V v)
 {
 #if defined(__AVX512F__) && SHI_BYTES == 64 && SHI_BITS == 32
-    const SHI_V e = __builtin_ia32_rsqrt14ps512_mask(v, v, (unsigned short)-1);
+    const SHI_V e = SHI_RSQRT_ROUGHLY(v);
     const SHI_V h = SHI_C(0.5) * e, r = SHI_C(0.5) - (v * e) * h;
     return e + e * r;
 #else
@@ -719,17 +733,22 @@ SHI_KERNEL int SHI_KN(shi_in_range)(SHI_V v, SHI_T lo, SHI_T hi)
     return !SHI_ANY(SHI_KN(shi_out_of)(v, lo, hi));
 }
 
-/* u = v/|v| of a nearly unit v, and u[3] = z^2 - 1/2 = 1/2 - (x^2 + y^2), exact to eps/4 at the poles and the
- * equator: what rounding does to x^2 + y^2 is in e = |v|^2 - 1 as well, and cancels. 1/sqrt(1 + e) = 1 - e/2, the
- * length right to eps/4 */
-SHI_KERNEL SHI_V SHI_KN(shi_polish)(const SHI_V v[3], SHI_V u[4], SHI_V *s)
+/* u = v/|v| of a v of length near 1, and u[3] = z^2 - 1/2 = 1/2 - (x^2 + y^2), exact to eps/4 at the poles and the
+ * equator: what rounding does to x^2 + y^2 is in e = |v|^2 - 1 as well, and cancels. 1 + s = 1/sqrt(1 + e) is
+ * 1 - e/2 for the nearest lanes, one term more for the others; NULL when all are near. The length is right to eps/4 */
+SHI_KERNEL SHI_V SHI_KN(shi_polish)(const SHI_V v[3], const SHI_M *near, SHI_V u[4], SHI_V *s)
 {
     const SHI_V r2 = SHI_FMA(v[0], v[0], v[1] * v[1]), e = SHI_FMA(v[2], v[2], SHI_SPLAT(-1)) + r2;
+    SHI_V shrunk = e;
     *s = SHI_C(-0.5) * e;
+    if (near) {
+        *s = SHI_SELECT(*near, *s, e * SHI_FMA(SHI_SPLAT(SHI_C(0.375)), e, SHI_SPLAT(SHI_C(-0.5))));
+        shrunk = SHI_SELECT(*near, e, SHI_FMA(-e, e, e));
+    }
     u[0] = SHI_FMA(v[0], *s, v[0]);             /* no loop: an array that a loop walks stays in memory */
     u[1] = SHI_FMA(v[1], *s, v[1]);
     u[2] = SHI_FMA(v[2], *s, v[2]) + SHI_SPLAT(0);      /* no -0 */
-    u[3] = SHI_FMA(r2, e, SHI_C(0.5) - r2);
+    u[3] = SHI_FMA(r2, shrunk, SHI_C(0.5) - r2);
     return SHI_ABS(e);
 }
 
@@ -738,17 +757,17 @@ SHI_KERNEL SHI_V SHI_KN(shi_polish)(const SHI_V v[3], SHI_V u[4], SHI_V *s)
 SHI_KERNEL int SHI_KN(shi_unit)(const SHI_V v[3], SHI_V u[4], SHI_V *inverse)
 {
     SHI_V s;
-    const SHI_V off = SHI_KN(shi_polish)(v, u, &s), r2 = SHI_KN(shi_length2)(v);
+    const SHI_V off = SHI_KN(shi_polish)(v, NULL, u, &s);
     *inverse = SHI_C(1) + s;
     if (SHI_RARELY(!SHI_KN(shi_in_range)(off, 0, SHI_NEAR))) {
         const SHI_M near = (SHI_M)(off <= SHI_SPLAT(SHI_NEAR));
-        const SHI_V i = SHI_C(1) / SHI_SQRT(r2), scale = SHI_SELECT(near, SHI_SPLAT(1), i);
+        const SHI_V r2 = SHI_KN(shi_length2)(v), scale = SHI_SELECT(near, SHI_SPLAT(1), SHI_RSQRT_ROUGHLY(r2));
         SHI_V w[3];
         w[0] = v[0] * scale;
         w[1] = v[1] * scale;
         w[2] = v[2] * scale;
-        (void)SHI_KN(shi_polish)(w, u, &s);
-        *inverse = SHI_SELECT(near, *inverse, i);
+        (void)SHI_KN(shi_polish)(w, &near, u, &s);
+        *inverse = SHI_SELECT(near, *inverse, SHI_FMA(scale, s, scale));
         return SHI_KN(shi_in_range)(r2, SHI_MIN2, SHI_MAX2);
     }
     return 1;
