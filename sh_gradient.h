@@ -156,7 +156,6 @@ enum {
 #endif
 
 #define SHI_STAGE 32768                                 /* bytes of stack a plain batch may use */
-#define SHI_AHEAD 4                                     /* registers of directions normalised before they are evaluated */
 #define SHI_POOL 400                                    /* vectors on the stack: weights of a block of lights ... */
 #define SHI_SUMS 992                                    /* ... running sums ... */
 #define SHI_LIGHTS_AT_ONCE 16                           /* ... and most vectors of lights in a block */
@@ -1236,43 +1235,34 @@ SHI_KERNEL void SHI_KN(shi_sum_forward)(int n, int with_grad, const SHI_T *a, co
 SHI_KERNEL int SHI_KN(shi_sums)(int n, int horner, int with_grad, const SHI_T *a, size_t count, const SHI_T *dirs,
                                SHI_T *values, SHI_T *grads)
 {
-    SHI_V u[SHI_AHEAD][5];
-    int good[SHI_AHEAD], status = SH_OK, i, k;
-    size_t first, ahead, j;
-    for (first = 0; first < count; first += ahead * SHI_W) {
-        ahead = (count - first + SHI_W - 1) / SHI_W < SHI_AHEAD ? (count - first + SHI_W - 1) / SHI_W : SHI_AHEAD;
-        for (j = 0; j < ahead; j++) {
-            const size_t rest = count - first - j * SHI_W;
-            SHI_V v[3], inverse;
-            SHI_KN(shi_load3)(dirs + 3 * (first + j * SHI_W), rest < SHI_W ? (int)rest : SHI_W, v);
-            good[j] = SHI_KN(shi_unit)(v, u[j], &inverse);
-            if (with_grad) u[j][4] = inverse;
-        }
-        for (j = 0; j < ahead; j++) {
-            const size_t p = first + j * SHI_W;
-            const int lanes = count - p < SHI_W ? (int)(count - p) : SHI_W;
-            SHI_V f[3], value = SHI_SPLAT(0);
-            f[0] = f[1] = f[2] = value;
-            if (horner) SHI_KN(shi_sum_horner)(n, with_grad, a, u[j], &value, f);
-            else SHI_KN(shi_sum_forward)(n, with_grad, a, u[j], &value, f);
-            if (good[j] && lanes == SHI_W && !with_grad) {
-                SHI_STORE(values + p, value);
-            } else {
-                SHI_T out[4][SHI_W];
-                SHI_STORE(out[0], value);
-                if (with_grad) {
-                    const SHI_V radial = SHI_FMA(u[j][0], f[0], SHI_FMA(u[j][1], f[1], u[j][2] * f[2]));
-                    for (k = 0; k < 3; k++) SHI_STORE(out[k + 1], u[j][4] * (f[k] - radial * u[j][k]));
+    int status = SH_OK, i, k;
+    size_t p;
+    for (p = 0; p < count; p += SHI_W) {
+        const int lanes = count - p < SHI_W ? (int)(count - p) : SHI_W;
+        SHI_V v[3], u[4], inverse, f[3], value = SHI_SPLAT(0);
+        int good;
+        f[0] = f[1] = f[2] = value;
+        SHI_KN(shi_load3)(dirs + 3 * p, lanes, v);
+        good = SHI_KN(shi_unit)(v, u, &inverse);
+        if (horner) SHI_KN(shi_sum_horner)(n, with_grad, a, u, &value, f);
+        else SHI_KN(shi_sum_forward)(n, with_grad, a, u, &value, f);
+        if (good && lanes == SHI_W && !with_grad) {
+            SHI_STORE(values + p, value);
+        } else {
+            SHI_T out[4][SHI_W];
+            SHI_STORE(out[0], value);
+            if (with_grad) {
+                const SHI_V radial = SHI_FMA(u[0], f[0], SHI_FMA(u[1], f[1], u[2] * f[2]));
+                for (k = 0; k < 3; k++) SHI_STORE(out[k + 1], inverse * (f[k] - radial * u[k]));
+            }
+            for (i = 0; i < lanes; i++) {
+                const SHI_T *const d = dirs + 3 * (p + (size_t)i);
+                if (!good && !SHI_ONE(shi_in_range)(d[0] * d[0] + d[1] * d[1] + d[2] * d[2], SHI_MIN2, SHI_MAX2)) {
+                    status = SHI_FN(shi_direction_status)(d);
+                    continue;
                 }
-                for (i = 0; i < lanes; i++) {
-                    const SHI_T *const d = dirs + 3 * (p + (size_t)i);
-                    if (!good[j] && !SHI_ONE(shi_in_range)(d[0] * d[0] + d[1] * d[1] + d[2] * d[2], SHI_MIN2, SHI_MAX2)) {
-                        status = SHI_FN(shi_direction_status)(d);
-                        continue;
-                    }
-                    if (values) values[p + (size_t)i] = out[0][i];
-                    for (k = 0; k < 3 && with_grad; k++) grads[3 * (p + (size_t)i) + (size_t)k] = out[k + 1][i];
-                }
+                if (values) values[p + (size_t)i] = out[0][i];
+                for (k = 0; k < 3 && with_grad; k++) grads[3 * (p + (size_t)i) + (size_t)k] = out[k + 1][i];
             }
         }
     }
@@ -1845,38 +1835,31 @@ SHI_KERNEL void SHI_BN(shi_hessian)(int n, int single, const SHI_V u[4], SHI_V i
 
 /* dirs[blocks][3][8] to y[N][8], g[3 N][8], h[6 N][8] per block, yn, gn, hn elements apart (0: each block over the
  * last); a stride ys, gs, hs of 0 discards an output of the looped body */
-SHI_KERNEL int SHI_BN(shi_blocks)(int n, int planes, size_t blocks, const SHI_T *dirs, SHI_T *y, size_t yn,
-                                  int ys, SHI_T *g, size_t gn, int gs, SHI_T *h, size_t hn, int hs)
+SHI_KERNEL int SHI_BN(shi_blocks)(int n, int planes, size_t blocks, const SHI_T *dirs, SHI_T *y, size_t yn, int ys,
+                                  SHI_T *g, size_t gn, int gs, SHI_T *h, size_t hn, int hs)
 {
-    const size_t vectors = SHI_W < SH_BLOCK ? SH_BLOCK / SHI_W : 1, all = blocks * vectors;
-    SHI_V ahead[SHI_AHEAD][5];                              /* unit vectors first: their long latency overlaps */
-    int valid[SHI_AHEAD], status = SH_OK, k;
-    size_t at, first, count;
-    for (first = 0; first < all; first += count) {
-        count = all - first < SHI_AHEAD ? all - first : SHI_AHEAD;
-        for (at = 0; at < count; at++) {
-            const SHI_T *const d = dirs + (first + at) / vectors * (3 * SH_BLOCK) + (first + at) % vectors * SHI_W;
-            SHI_V v[3], inverse, *const u = ahead[at];
-            for (k = 0; k < 3; k++) v[k] = SHI_LOAD(d + k * SH_BLOCK);
-            valid[at] = SHI_KN(shi_unit)(v, u, &inverse);
-            if (planes != SH_VALUES) u[4] = inverse;
-        }
-        for (at = 0; at < count; at++) {
-            const size_t b = (first + at) / vectors, lane = (first + at) % vectors * SHI_W;
-            const SHI_V *const u = ahead[at];
-            SHI_T *const yb = y + b * yn + (ys ? lane : 0), *const gb = g + b * gn + (gs ? lane : 0);
-            SHI_T *const hb = h + b * hn + (hs ? lane : 0);
-            if (!valid[at]) {
-                const int bad = SHI_FN(shi_one_by_one)(n, planes, SHI_W, dirs + b * (3 * SH_BLOCK) + lane, SH_BLOCK, 1,
-                                                       yb, ys, ys != 0, gb, gs, gs != 0, hb, hs, hs != 0);
-                status = bad ? bad : status;
-            } else if (planes == SH_VALUES) {
-                SHI_BN(shi_values)(n, 0, u, yb, ys);
-            } else if (planes == SH_GRADIENT) {
-                SHI_BN(shi_gradient)(n, 0, u, u[4], yb, ys, gb, gs);
-            } else {
-                SHI_BN(shi_hessian)(n, 0, u, u[4], yb, ys, gb, gs, hb, hs);
-            }
+    const size_t vectors = SHI_W < SH_BLOCK ? SH_BLOCK / SHI_W : 1;
+    int status = SH_OK;
+    size_t at;
+    for (at = 0; at < blocks * vectors; at++) {
+        const size_t b = at / vectors, lane = at % vectors * SHI_W;
+        const SHI_T *const d = dirs + b * (3 * SH_BLOCK) + lane;
+        SHI_T *const yb = y + b * yn + (ys ? lane : 0), *const gb = g + b * gn + (gs ? lane : 0);
+        SHI_T *const hb = h + b * hn + (hs ? lane : 0);
+        SHI_V v[3], u[4], inverse;
+        v[0] = SHI_LOAD(d);
+        v[1] = SHI_LOAD(d + SH_BLOCK);
+        v[2] = SHI_LOAD(d + 2 * SH_BLOCK);
+        if (SHI_RARELY(!SHI_KN(shi_unit)(v, u, &inverse))) {
+            const int bad = SHI_FN(shi_one_by_one)(n, planes, SHI_W, d, SH_BLOCK, 1, yb, ys, ys != 0, gb, gs, gs != 0,
+                                                   hb, hs, hs != 0);
+            status = bad ? bad : status;
+        } else if (planes == SH_VALUES) {
+            SHI_BN(shi_values)(n, 0, u, yb, ys);
+        } else if (planes == SH_GRADIENT) {
+            SHI_BN(shi_gradient)(n, 0, u, inverse, yb, ys, gb, gs);
+        } else {
+            SHI_BN(shi_hessian)(n, 0, u, inverse, yb, ys, gb, gs, hb, hs);
         }
     }
     return status;
