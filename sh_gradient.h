@@ -156,6 +156,7 @@ enum {
 #endif
 
 #define SHI_STAGE 32768                                 /* bytes of stack a plain batch may use */
+#define SHI_AHEAD 4                                     /* registers of vectors normalised before their gradients */
 #define SHI_POOL 400                                    /* vectors on the stack: weights of a block of lights ... */
 #define SHI_SUMS 992                                    /* ... running sums ... */
 #define SHI_LIGHTS_AT_ONCE 16                           /* ... and most vectors of lights in a block */
@@ -650,10 +651,6 @@ SHI_KERNEL SHI_V SHI_FMA(SHI_V a, SHI_V b, SHI_V c)
     return a * b + c;
 #endif
 }
-SHI_KERNEL SHI_V SHI_KN(shi_length2)(const SHI_V v[3])
-{
-    return SHI_FMA(v[0], v[0], SHI_FMA(v[1], v[1], v[2] * v[2]));
-}
 /* (c, s) times (x, y) as complex numbers */
 SHI_KERNEL void SHI_KN(shi_turn)(SHI_V x, SHI_V y, SHI_V *c, SHI_V *s)
 {
@@ -732,43 +729,48 @@ SHI_KERNEL int SHI_KN(shi_in_range)(SHI_V v, SHI_T lo, SHI_T hi)
     return !SHI_ANY(SHI_KN(shi_out_of)(v, lo, hi));
 }
 
-/* u = v/|v| of a v of length near 1, and u[3] = z^2 - 1/2 = 1/2 - (x^2 + y^2), exact to eps/4 at the poles and the
- * equator: what rounding does to x^2 + y^2 is in e = |v|^2 - 1 as well, and cancels. 1 + s = 1/sqrt(1 + e) is
- * 1 - e/2 for the nearest lanes, one term more for the others; NULL when all are near. The length is right to eps/4 */
-SHI_KERNEL SHI_V SHI_KN(shi_polish)(const SHI_V v[3], const SHI_M *near, SHI_V u[4], SHI_V *s)
+/* |v|^2 - 1, and x^2 + y^2 */
+SHI_KERNEL SHI_V SHI_KN(shi_excess)(const SHI_V v[3], SHI_V *r2)
 {
-    const SHI_V r2 = SHI_FMA(v[0], v[0], v[1] * v[1]), e = SHI_FMA(v[2], v[2], SHI_SPLAT(-1)) + r2;
-    SHI_V shrunk = e;
-    *s = SHI_C(-0.5) * e;
+    *r2 = SHI_FMA(v[0], v[0], v[1] * v[1]);
+    return SHI_FMA(v[2], v[2], SHI_SPLAT(-1)) + *r2;
+}
+
+/* u = v/|v| = v + s v of a v with a small excess e, and u[3] = z^2 - 1/2 = 1/2 - (x^2 + y^2), exact to eps/4 at the poles
+ * and the equator: what rounding does to x^2 + y^2 is in e as well, and cancels. 1 + s = 1/sqrt(1 + e) is 1 - e/2 where
+ * near holds (everywhere if NULL), one term more elsewhere. The length is right to eps/4. Returns s */
+SHI_KERNEL SHI_V SHI_KN(shi_polish)(const SHI_V v[3], SHI_V e, SHI_V r2, const SHI_M *near, SHI_V u[4])
+{
+    SHI_V s = SHI_C(-0.5) * e, shrunk = e;
     if (near) {
-        *s = SHI_SELECT(*near, *s, e * SHI_FMA(SHI_SPLAT(SHI_C(0.375)), e, SHI_SPLAT(SHI_C(-0.5))));
+        s = SHI_SELECT(*near, s, e * SHI_FMA(SHI_SPLAT(SHI_C(0.375)), e, SHI_SPLAT(SHI_C(-0.5))));
         shrunk = SHI_SELECT(*near, e, SHI_FMA(-e, e, e));
     }
-    u[0] = SHI_FMA(v[0], *s, v[0]);             /* no loop: an array that a loop walks stays in memory */
-    u[1] = SHI_FMA(v[1], *s, v[1]);
-    u[2] = SHI_FMA(v[2], *s, v[2]) + SHI_SPLAT(0);      /* no -0 */
+    u[0] = SHI_FMA(v[0], s, v[0]);              /* no loop: an array that a loop walks stays in memory */
+    u[1] = SHI_FMA(v[1], s, v[1]);
+    u[2] = SHI_FMA(v[2], s, v[2]) + SHI_SPLAT(0);       /* no -0 */
     u[3] = SHI_FMA(r2, shrunk, SHI_C(0.5) - r2);
-    return SHI_ABS(e);
+    return s;
 }
 
 /* unit vectors and 1/length of vectors of any length; 0 if one is out of range. Nearly unit ones, the usual case,
  * have their own way, and get its bits in whatever company */
 SHI_KERNEL int SHI_KN(shi_unit)(const SHI_V v[3], SHI_V u[4], SHI_V *inverse)
 {
-    SHI_V s;
-    const SHI_V off = SHI_KN(shi_polish)(v, NULL, u, &s);
-    *inverse = SHI_C(1) + s;
+    SHI_V r2;
+    const SHI_V e = SHI_KN(shi_excess)(v, &r2), off = SHI_ABS(e);
     if (SHI_RARELY(!SHI_KN(shi_in_range)(off, 0, SHI_NEAR))) {
         const SHI_M near = (SHI_M)(off <= SHI_SPLAT(SHI_NEAR));
-        const SHI_V r2 = SHI_KN(shi_length2)(v), scale = SHI_SELECT(near, SHI_SPLAT(1), SHI_RSQRT_ROUGHLY(r2));
-        SHI_V w[3];
+        const SHI_V length2 = SHI_FMA(v[2], v[2], r2), scale = SHI_SELECT(near, SHI_SPLAT(1), SHI_RSQRT_ROUGHLY(length2));
+        SHI_V w[3], left;
         w[0] = v[0] * scale;
         w[1] = v[1] * scale;
         w[2] = v[2] * scale;
-        (void)SHI_KN(shi_polish)(w, &near, u, &s);
-        *inverse = SHI_SELECT(near, *inverse, SHI_FMA(scale, s, scale));
-        return SHI_KN(shi_in_range)(r2, SHI_MIN2, SHI_MAX2);
+        left = SHI_KN(shi_excess)(w, &r2);
+        *inverse = SHI_FMA(scale, SHI_KN(shi_polish)(w, left, r2, &near, u), scale);
+        return SHI_KN(shi_in_range)(length2, SHI_MIN2, SHI_MAX2);
     }
+    *inverse = SHI_C(1) + SHI_KN(shi_polish)(v, e, r2, NULL, u);
     return 1;
 }
 
@@ -1838,28 +1840,35 @@ SHI_KERNEL void SHI_BN(shi_hessian)(int n, int single, const SHI_V u[4], SHI_V i
 SHI_KERNEL int SHI_BN(shi_blocks)(int n, int planes, size_t blocks, const SHI_T *dirs, SHI_T *y, size_t yn, int ys,
                                   SHI_T *g, size_t gn, int gs, SHI_T *h, size_t hn, int hs)
 {
-    const size_t vectors = SHI_W < SH_BLOCK ? SH_BLOCK / SHI_W : 1;
-    int status = SH_OK;
-    size_t at;
-    for (at = 0; at < blocks * vectors; at++) {
-        const size_t b = at / vectors, lane = at % vectors * SHI_W;
-        const SHI_T *const d = dirs + b * (3 * SH_BLOCK) + lane;
-        SHI_T *const yb = y + b * yn + (ys ? lane : 0), *const gb = g + b * gn + (gs ? lane : 0);
-        SHI_T *const hb = h + b * hn + (hs ? lane : 0);
-        SHI_V v[3], u[4], inverse;
-        v[0] = SHI_LOAD(d);
-        v[1] = SHI_LOAD(d + SH_BLOCK);
-        v[2] = SHI_LOAD(d + 2 * SH_BLOCK);
-        if (SHI_RARELY(!SHI_KN(shi_unit)(v, u, &inverse))) {
-            const int bad = SHI_FN(shi_one_by_one)(n, planes, SHI_W, d, SH_BLOCK, 1, yb, ys, ys != 0, gb, gs, gs != 0,
-                                                   hb, hs, hs != 0);
-            status = bad ? bad : status;
-        } else if (planes == SH_VALUES) {
-            SHI_BN(shi_values)(n, 0, u, yb, ys);
-        } else if (planes == SH_GRADIENT) {
-            SHI_BN(shi_gradient)(n, 0, u, inverse, yb, ys, gb, gs);
-        } else {
-            SHI_BN(shi_hessian)(n, 0, u, inverse, yb, ys, gb, gs, hb, hs);
+    const size_t vectors = SHI_W < SH_BLOCK ? SH_BLOCK / SHI_W : 1, all = blocks * vectors;
+    SHI_V u[SHI_AHEAD][4], inverse[SHI_AHEAD];
+    int good[SHI_AHEAD], status = SH_OK;
+    size_t first, ahead, j;
+    for (first = 0; first < all; first += ahead) {
+        ahead = planes == SH_VALUES ? 1 : all - first < SHI_AHEAD ? all - first : SHI_AHEAD;
+        for (j = 0; j < ahead; j++) {
+            const SHI_T *const d = dirs + (first + j) / vectors * (3 * SH_BLOCK) + (first + j) % vectors * SHI_W;
+            SHI_V v[3];
+            v[0] = SHI_LOAD(d);
+            v[1] = SHI_LOAD(d + SH_BLOCK);
+            v[2] = SHI_LOAD(d + 2 * SH_BLOCK);
+            good[j] = SHI_KN(shi_unit)(v, u[j], &inverse[j]);
+        }
+        for (j = 0; j < ahead; j++) {
+            const size_t b = (first + j) / vectors, lane = (first + j) % vectors * SHI_W;
+            SHI_T *const yb = y + b * yn + (ys ? lane : 0), *const gb = g + b * gn + (gs ? lane : 0);
+            SHI_T *const hb = h + b * hn + (hs ? lane : 0);
+            if (SHI_RARELY(!good[j])) {
+                const int bad = SHI_FN(shi_one_by_one)(n, planes, SHI_W, dirs + b * (3 * SH_BLOCK) + lane, SH_BLOCK, 1,
+                                                       yb, ys, ys != 0, gb, gs, gs != 0, hb, hs, hs != 0);
+                status = bad ? bad : status;
+            } else if (planes == SH_VALUES) {
+                SHI_BN(shi_values)(n, 0, u[j], yb, ys);
+            } else if (planes == SH_GRADIENT) {
+                SHI_BN(shi_gradient)(n, 0, u[j], inverse[j], yb, ys, gb, gs);
+            } else {
+                SHI_BN(shi_hessian)(n, 0, u[j], inverse[j], yb, ys, gb, gs, hb, hs);
+            }
         }
     }
     return status;
