@@ -1524,7 +1524,9 @@ SHI_KERNEL void SHI_KN(shi_load_light)(const SHI_T *spheres, size_t count, size_
     SHI_T t[4][SHI_W];
     int i, k;
     if (count - first >= SHI_W) {
-        for (k = 0; k < 3; k++) center[k] = SHI_LOAD(spheres + (size_t)k * count + first);
+        center[0] = SHI_LOAD(spheres + first);
+        center[1] = SHI_LOAD(spheres + count + first);
+        center[2] = SHI_LOAD(spheres + 2 * count + first);
         *radius = SHI_LOAD(spheres + 3 * count + first);
         return;
     }
