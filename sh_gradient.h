@@ -92,7 +92,11 @@ enum {
 #if defined(__GNUC__) && !defined(__TINYC__)
 #  define SHI_INLINE   static __inline__ __attribute__((__unused__))
 #  define SHI_KERNEL   static __inline__ __attribute__((__always_inline__, __unused__))
-#  define SHI_NOINLINE static __attribute__((__noinline__, __unused__))
+#  if defined(__OPTIMIZE__)
+#    define SHI_NOINLINE static __attribute__((__noinline__, __unused__))
+#  else                     /* a debug build leaves out only what is called inline */
+#    define SHI_NOINLINE SHI_INLINE
+#  endif
 #elif defined(_MSC_VER)
 #  define SHI_INLINE   static __inline
 #  define SHI_KERNEL   static __forceinline
@@ -136,7 +140,7 @@ enum {
 
 #if defined(__clang__)
 #  define SHI_UNROLL _Pragma("clang loop unroll(full)")
-#elif defined(__GNUC__) && __GNUC__ >= 8
+#elif defined(__GNUC__) && __GNUC__ >= 8 && defined(__OPTIMIZE__)
 #  define SHI_UNROLL _Pragma("GCC unroll 64")
 #else
 #  define SHI_UNROLL
@@ -695,14 +699,21 @@ SHI_KERNEL SHI_V SHI_KN(shi_gap)(const SHI_V y[3], const SHI_T x[3], SHI_V r)
     const wide c = __builtin_convertvector(y[2], wide) - (double)x[2], d = __builtin_convertvector(r, wide);
     return __builtin_convertvector(a * a + b * b + c * c - d * d, SHI_V);
 #else
+#if !defined(__FMA__) && !defined(__aarch64__)
     const SHI_V split = SHI_SPLAT(134217729.0);     /* 2^27 + 1 */
+#endif
     SHI_V sum = SHI_SPLAT(0), low = SHI_SPLAT(0);
     int k;
     for (k = 0; k < 4; k++) {                       /* d0^2 + d1^2 + d2^2 - r^2 */
         const SHI_V p = k < 3 ? y[k] : r, q = SHI_SPLAT(k < 3 ? x[k] : 0), sign = SHI_SPLAT(k < 3 ? 1 : -1);
         const SHI_V d = p - q, t = d - p, e = (p - (d - t)) - (q + t);          /* p - q = d + e */
-        const SHI_V u = split * d, hi = u - (u - d), lo = d - hi, s = d * d;    /* d = hi + lo */
-        const SHI_V f = ((hi * hi - s) + (hi + hi) * lo) + lo * lo;             /* d * d = s + f */
+        const SHI_V s = d * d;
+#if defined(__FMA__) || defined(__aarch64__)
+        const SHI_V f = SHI_FMA(d, d, -s);                                      /* d * d = s + f */
+#else
+        const SHI_V u = split * d, hi = u - (u - d), lo = d - hi;               /* d = hi + lo */
+        const SHI_V f = ((hi * hi - s) + (hi + hi) * lo) + lo * lo;
+#endif
         const SHI_V n = sum + sign * s, w = n - sum;
         low = low + ((sum - (n - w)) + (sign * s - w)) + sign * (f + (d + d) * e);
         sum = n;

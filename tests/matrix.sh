@@ -158,7 +158,7 @@ others() {
 : >"$work/all.c"
 for h in $headers; do printf '#include "%s"\n' "$h" >>"$work/all.c"; done
 cp "$work/all.c" "$work/all.cpp"
-optimised=-O2
+optimised="-O0 -O2"
 few=-DSH_UNROLLED_BANDS=3     # the unit tests themselves run with every body, at this machine's best
 gradient="test_gradient_errors test_gradient_basis test_gradient_lights"
 case $size in

@@ -53,7 +53,7 @@ static long double distance(const long double a[3], const long double b[3])
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        BOTH_TESTS(cap), BOTH_TESTS(zonal_rotate), BOTH_TESTS(zonal_light), BOTH_TESTS(sphere),
+        BOTH_TESTS(cap), BOTH_TESTS(zonal_rotate), BOTH_TESTS(zonal_light), BOTH_TESTS(sphere), BOTH_TESTS(close_sphere),
         BOTH_TESTS(sums), BOTH_TESTS(sums_are_sums), BOTH_TESTS(points_and_grids), BOTH_TESTS(turned_scene),
         BOTH_TESTS(light_field), BOTH_TESTS(light_field_converges),
     };
@@ -555,5 +555,33 @@ static void F(light_field_converges)(void **state)
     row_check(w, error[1] / worst, 0, 3e-4L, 0);                       /* MATH: 2.6e-4 at 64^2 */
     row_close(w);
     assert_true(error[1] < error[0] / 3.5L);
+}
+
+/* |y - x|^2 - r^2 decides the gradient of a light that nearly touches the point, whatever the compiler contracts. Band 0:
+ * L = 2 pi Y_00 (1 - sqrt(1 - (r/d)^2)). */
+static void F(close_sphere)(void **state)
+{
+    row *const w = row_open("sh_sphere gradient, r/d 0.98 to 0.995", PRECISION);
+    int turn, k;
+    (void)state;
+    for (turn = 0; turn < 2000; turn++) {
+        T point[3], center[3], radius, c, g[3];
+        long double u[3], dd = 0, d, far, slope;
+        for (k = 0; k < 3; k++) {
+            point[k] = (T)ref_between(-4, 4);
+            center[k] = (T)((double)point[k] + ref_between(-1, 1));
+            u[k] = (long double)point[k] - (long double)center[k];
+            dd += u[k] * u[k];
+        }
+        d = sqrtl(dd);
+        radius = (T)(ref_between(0.98, 0.995) * (double)d);
+        far = (long double)radius * (long double)radius / dd;
+        slope = -2 * 3.14159265358979323846264338327950288L * 0.28209479177387814347403972578038629L * far / (d * sqrtl(1 - far));
+        assert_int_equal(F(sh_sphere)(1, point, center, radius, &c, g), SH_OK);
+        row_case("point %.17g %.17g %.17g center %.17g %.17g %.17g radius %.17g", (double)point[0], (double)point[1],
+                 (double)point[2], (double)center[0], (double)center[1], (double)center[2], (double)radius);
+        for (k = 0; k < 3; k++) row_check(w, g[k], slope * u[k] / d, 8 * (long double)EPS * fabsl(slope), k);
+    }
+    row_close(w);
 }
 #endif
