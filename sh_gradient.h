@@ -1892,11 +1892,13 @@ SHI_KERNEL int SHI_BN(shi_blocks)(int n, int planes, size_t blocks, const SHI_T 
 SHI_KERNEL void SHI_BN(shi_angles)(int n, SHI_V ct, SHI_V st, SHI_V cp, SHI_V sp, SHI_T *y, SHI_T *dt, SHI_T *dp, int stride)
 {
     const SHI_V x = -(st * cp), v = -(st * sp);
+    const SHI_V near = (st * st) / (SHI_C(1) + SHI_ABS(ct));         /* 1 - |cos|: values as in shi_column beyond 10 bands */
+    const SHI_V side = SHI_SELECT((SHI_M)(ct < SHI_SPLAT(0)), SHI_SPLAT(-1), SHI_SPLAT(1));
     SHI_V c = SHI_SPLAT(1), s = SHI_SPLAT(0), c1 = c, s1 = s;       /* U_m, V_m, and the two over sin(theta) */
     int l, m;
     SHI_LOOP
     for (m = 0; m < n; m++) {
-        SHI_V q0 = SHI_SPLAT(0), q1 = SHI_SPLAT(1), t0 = q0, t1 = q0;
+        SHI_V q0 = SHI_SPLAT(0), q1 = SHI_SPLAT(1), t0 = q0, t1 = q0, p = q1, d = q0;
         if (m > 0) {
             const SHI_V next = m == 1 ? -cp : SHI_FMA(x, c1, -(v * s1));
             s1 = m == 1 ? -sp : SHI_FMA(x, s1, v * c1);
@@ -1910,13 +1912,16 @@ SHI_KERNEL void SHI_BN(shi_angles)(int n, SHI_V ct, SHI_V st, SHI_V cp, SHI_V sp
             const int at = l * l + l;
             SHI_V q, t;
             if (l > m) {
+                const SHI_T r = SHI_FN(shi_reciprocal)[l + m];
                 const SHI_V next = SHI_FMA(ct, q1, -beta * q0), slope = SHI_FMA(ct, t1, SHI_FMA(-st, q1, -beta * t0));
                 q0 = q1;
                 q1 = next;
                 t0 = t1;
                 t1 = slope;
+                d = SHI_FMA((SHI_C(1 - 2 * l) * r) * near, p, (SHI_C(l - 1 - m) * r) * d);
+                p = p + d;
             }
-            q = norm * q1;
+            q = SHI_FN(shi_pole)[SHI_ROWS(l, m)] * ((l - m) & 1 ? side * p : p);
             t = norm * t1;
             if (m == 0) {
                 SHI_STORE(y + at * stride, q);
