@@ -557,7 +557,7 @@ SHI_KERNEL void SHI_KN(shi_zip)(SHI_V a, SHI_V b, SHI_V *lo, SHI_V *hi)
 #endif
 }
 /* for one direction with its orders m in the lanes */
-#if defined(SHI_SHUFFLE) && defined(SHI_MANY_LANES) && SHI_LANES >= 4 && SH_UNROLLED_BANDS <= SHI_POLYNOMIAL_BANDS
+#if defined(SHI_SHUFFLE) && defined(SHI_MANY_LANES) && SHI_LANES >= 4
 #define SHI_LINES
 SHI_KERNEL SHI_V SHI_KN(shi_orders)(void)           /* 0 1 2 ... */
 {
@@ -655,6 +655,16 @@ SHI_KERNEL SHI_V SHI_FMA(SHI_V a, SHI_V b, SHI_V c)
     return a * b + c;
 #endif
 }
+/* what rounding took from s = d * d: one multiply-add where there is a fused one, else Dekker's product */
+SHI_KERNEL SHI_V SHI_KN(shi_square_error)(SHI_V d, SHI_V s)
+{
+#if defined(__FMA__) || defined(__aarch64__)
+    return SHI_FMA(d, d, -s);
+#else
+    const SHI_V u = SHI_SPLAT(SHI_C(SHI_BITS == 32 ? 4097.0 : 134217729.0)) * d, hi = u - (u - d), lo = d - hi;
+    return ((hi * hi - s) + (hi + hi) * lo) + lo * lo;
+#endif
+}
 /* (c, s) times (x, y) as complex numbers */
 SHI_KERNEL void SHI_KN(shi_turn)(SHI_V x, SHI_V y, SHI_V *c, SHI_V *s)
 {
@@ -686,7 +696,7 @@ SHI_KERNEL void SHI_KN(shi_power)(int m, const SHI_V u[4], SHI_V *c, SHI_V *s)
 }
 
 /* |y - x|^2 - r^2 in twice the working precision, d = y - x: what is left decides everything near a light.
- * Float computes in double; double carries the rounding errors along (Knuth's sum, Dekker's product). */
+ * Float computes in double; double carries the rounding errors along (Knuth's sum). */
 SHI_KERNEL SHI_V SHI_KN(shi_gap)(const SHI_V y[3], const SHI_T x[3], SHI_V r)
 {
 #if SHI_BITS == 32 && SHI_LANES == 1
@@ -699,21 +709,12 @@ SHI_KERNEL SHI_V SHI_KN(shi_gap)(const SHI_V y[3], const SHI_T x[3], SHI_V r)
     const wide c = __builtin_convertvector(y[2], wide) - (double)x[2], d = __builtin_convertvector(r, wide);
     return __builtin_convertvector(a * a + b * b + c * c - d * d, SHI_V);
 #else
-#if !defined(__FMA__) && !defined(__aarch64__)
-    const SHI_V split = SHI_SPLAT(134217729.0);     /* 2^27 + 1 */
-#endif
     SHI_V sum = SHI_SPLAT(0), low = SHI_SPLAT(0);
     int k;
     for (k = 0; k < 4; k++) {                       /* d0^2 + d1^2 + d2^2 - r^2 */
         const SHI_V p = k < 3 ? y[k] : r, q = SHI_SPLAT(k < 3 ? x[k] : 0), sign = SHI_SPLAT(k < 3 ? 1 : -1);
         const SHI_V d = p - q, t = d - p, e = (p - (d - t)) - (q + t);          /* p - q = d + e */
-        const SHI_V s = d * d;
-#if defined(__FMA__) || defined(__aarch64__)
-        const SHI_V f = SHI_FMA(d, d, -s);                                      /* d * d = s + f */
-#else
-        const SHI_V u = split * d, hi = u - (u - d), lo = d - hi;               /* d = hi + lo */
-        const SHI_V f = ((hi * hi - s) + (hi + hi) * lo) + lo * lo;
-#endif
+        const SHI_V s = d * d, f = SHI_KN(shi_square_error)(d, s);              /* d * d = s + f */
         const SHI_V n = sum + sign * s, w = n - sum;
         low = low + ((sum - (n - w)) + (sign * s - w)) + sign * (f + (d + d) * e);
         sum = n;
@@ -2419,7 +2420,7 @@ SH_API int SHI_FN(sh_eval)(int bands, const SHI_T dir[3], SHI_T *y)
 /* Basis values of many directions.
  *   dirs  [count][3]
  *   y     [count][N]
- * Directions with | |v|^2 - 1 | < 1e-4 (double 4e-9) are normalised by a Newton step, a fifth faster than the rest. */
+ * Directions with | |v|^2 - 1 | < 1e-4 (double 4e-9) are normalised by a Newton step, the others by a root first. */
 SH_API int SHI_FN(sh_eval_n)(int bands, size_t count, const SHI_T *dirs, SHI_T *y)
 {
     const int status = SHI_FN(shi_check_basis)(bands, count, dirs, y, y, NULL, NULL);

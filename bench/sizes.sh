@@ -33,7 +33,7 @@ printf '%-16s %7s %9s %12s   (target: < 0.5)\n' "all headers" "" "" "$(seconds $
 
 # Public functions as external symbols, so that each can be kept alone: what a program pays for the groups it calls.
 echo
-printf '%-34s %12s %12s\n' "code of a group, f32 (bytes)" "-O2" "-O2 native"
+printf '%-34s %12s %12s %14s\n' "code of a group, f32 (bytes)" "-O2" "-O2 native" "largest frame"
 group() { # NAME HEADER FUNCTION...
     name=$1 header=$2
     shift 2
@@ -49,8 +49,9 @@ group() { # NAME HEADER FUNCTION...
         return 0
     fi
     plain=$(text "$work/group.o")
-    $cc -O2 -march=native -w -I. -c -o "$work/group.o" "$work/group.c"
-    printf '%-34s %12d %12d\n' "$name" "$plain" "$(text "$work/group.o")"
+    $cc -O2 -march=native -fstack-usage -w -I. -c -o "$work/group.o" "$work/group.c"
+    printf '%-34s %12d %12d %14d\n' "$name" "$plain" "$(text "$work/group.o")" \
+        "$(awk -F'\t' '$2 > most { most = $2 } END { print most + 0 }' "$work/group.su")"
 }
 group "basis values"                 sh_gradient.h sh_eval sh_eval_n sh_eval_blocks
 group "basis gradients"              sh_gradient.h sh_eval_grad sh_eval_grad_n sh_eval_grad_blocks

@@ -20,6 +20,8 @@ import subprocess
 import sys
 from mpmath import mp, mpf, sqrt, pi, factorial, cos, sin, atan2
 
+from check_oracle_reference import gauss
+
 mp.dps = 100
 BITS = 384
 EPS = {"f32": mpf(2) ** -23, "f64": mpf(2) ** -52}
@@ -228,20 +230,9 @@ class Light:
 
 
 # ---- the surface integral itself ----
-def gauss(n, known={}):
-    if n not in known:
-        nodes = []
-        for i in range(n):
-            x = cos(pi * (i + mpf(3) / 4) / (n + mpf(1) / 2))
-            for _ in range(9):
-                p0, p1 = mpf(1), x
-                for k in range(2, n + 1):
-                    p0, p1 = p1, ((2 * k - 1) * x * p1 - (k - 1) * p0) / k
-                d = n * (p0 - x * p1) / (1 - x * x)
-                x -= p1 / d
-            nodes.append(((1 + x) / 2, 1 / ((1 - x * x) * d * d)))
-        known[n] = nodes
-    return known[n]
+def unit_gauss(n):
+    """[(node, weight)] over [0, 1]"""
+    return [((1 + x) / 2, w / 2) for x, w in gauss(n)]
 
 
 def surface(bands, a, b, c, depth=0):
@@ -255,8 +246,9 @@ def surface(bands, a, b, c, depth=0):
         parts = surface(bands, p, half, r, depth + 1), surface(bands, half, q, r, depth + 1)
         return [s + t for s, t in zip(*parts)]
     total, det = [0] * bands ** 2, dot(a, cross(minus(b, a), minus(c, a)))
-    for s, ws in gauss(16):
-        for t, wt in gauss(16):
+    nodes = unit_gauss(16)
+    for s, ws in nodes:
+        for t, wt in nodes:
             p = [a[k] + s * ((1 - t) * (b[k] - a[k]) + t * (c[k] - a[k])) for k in range(3)]
             r = length(p)
             weight = fixed(ws * wt * s * det / r ** 3)
@@ -411,7 +403,7 @@ def triangle_sphere(bands, q, sides):
         term = lambda l, j: mpf((-1) ** j * math.comb(l, j) * math.perm(2 * l - 2 * j, l))
         P = [[(term(l, j), l - 2 * j) for j in range(l // 2 + 1)] for l in range(bands)]
         at = lambda l, t: sum((k * t ** p for k, p in P[l]), mpf(0)) / (2 ** l * factorial(l))
-        nodes = gauss(bands // 2 + 1)
+        nodes = unit_gauss(bands // 2 + 1)
         g = [2 * pi * sum(w * kappa * at(l, 1 - kappa * t) for t, w in nodes) for l in range(bands)]
         omega, domega = 2 * pi * kappa, 2 * pi * s * s / (alpha * d)
         fu = [fixed(t) for t in u]
