@@ -160,7 +160,6 @@ enum {
 #endif
 
 #define SHI_STAGE 32768                                 /* bytes of stack a plain batch may use */
-#define SHI_AHEAD 4                                     /* registers of vectors normalised before their gradients */
 #define SHI_POOL 400                                    /* vectors on the stack: weights of a block of lights ... */
 #define SHI_SUMS 992                                    /* ... running sums ... */
 #define SHI_LIGHTS_AT_ONCE 16                           /* ... and most vectors of lights in a block */
@@ -168,6 +167,8 @@ enum {
 #define SHI_ROWS(l, m) ((l) * ((l) + 1) / 2 + (m))      /* index into tables by band and m */
 
 #define SHI_HORNER(l, m, k) (SHI_FN(shi_horner)[SHI_FN(shi_horner_row)[l] + (k) * ((l) + 2) + (m)])
+/* index into what shi_horner_form fills */
+#define SHI_FORM_AT(parity, k, sign, m) ((((parity) * (SHI_POLYNOMIAL_BANDS / 2) + (k)) * 2 + (sign)) * 16 + (m))
 
 #define SHI_CAT_(a, b) a##b
 #define SHI_CAT(a, b)  SHI_CAT_(a, b)
@@ -378,6 +379,10 @@ SHI_INLINE int shi_overlap(const void *a, size_t a_bytes, const void *b, size_t 
 #undef SHI_ANY
 #undef SHI_KEEP
 #undef SHI_LINES
+#undef SHI_PIECE
+#undef SHI_PICK
+#undef SHI_PICKS
+#undef SHI_IN_PIECES
 #undef SHI_BITS_OF
 #undef SHI_SELECT
 #undef  SHI_ROOM
@@ -559,11 +564,6 @@ SHI_KERNEL void SHI_KN(shi_zip)(SHI_V a, SHI_V b, SHI_V *lo, SHI_V *hi)
 /* for one direction with its orders m in the lanes */
 #if defined(SHI_SHUFFLE) && defined(SHI_MANY_LANES) && SHI_LANES >= 4
 #define SHI_LINES
-SHI_KERNEL SHI_V SHI_KN(shi_orders)(void)           /* 0 1 2 ... */
-{
-    static const SHI_T m[8] = { 0, 1, 2, 3, 4, 5, 6, 7 };
-    return SHI_LOAD(m);
-}
 SHI_KERNEL SHI_M SHI_KN(shi_orders_like)(int bits, int value)  /* mask of the orders with m & bits = value */
 {
     SHI_I m[SHI_W];
@@ -620,6 +620,29 @@ SHI_KERNEL void SHI_KN(shi_put_some)(SHI_T *p, SHI_V v, int room, int lanes)
 }
 #endif
 #endif
+
+SHI_KERNEL SHI_V SHI_KN(shi_orders)(void)           /* 0 1 2 ... */
+{
+    static const SHI_T m[16] = { 0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15 };
+    return SHI_LOAD(m);
+}
+SHI_KERNEL SHI_V SHI_KN(shi_reverse)(SHI_V v)
+{
+#if SHI_LANES == 1
+    return v;
+#elif defined(SHI_SHUFFLE) && SHI_LANES == 2
+    return __builtin_shufflevector(v, v, 1, 0);
+#elif defined(SHI_SHUFFLE) && SHI_LANES == 4
+    return __builtin_shufflevector(v, v, 3, 2, 1, 0);
+#elif defined(SHI_SHUFFLE) && SHI_LANES == 8
+    return __builtin_shufflevector(v, v, 7, 6, 5, 4, 3, 2, 1, 0);
+#else
+    SHI_V r = v;
+    int i;
+    for (i = 0; i < SHI_W; i++) r[i] = v[SHI_W - 1 - i];
+    return r;
+#endif
+}
 
 /* a*b + c, rounded once where the target can: wherever a batch must have the bits of single calls, since what the compiler
  * contracts may differ from one inlined copy to the next. Elsewhere contraction is left to it. */
@@ -786,6 +809,48 @@ SHI_KERNEL int SHI_KN(shi_unit)(const SHI_V v[3], SHI_V u[4], SHI_V *inverse)
     return 1;
 }
 
+#if defined(SHI_SHUFFLE) && SHI_LANES > 1
+#define SHI_PIECE (128 / SHI_BITS)                      /* lanes of 16 bytes: shuffles within such pieces are the cheap ones */
+/* of every piece, these elements of a and, counted on, of b */
+#define SHI_PICK(i, piece) ((i) / SHI_PIECE * SHI_LANES + (piece) * SHI_PIECE + (i) % SHI_PIECE)
+#if SHI_BITS == 32
+#define SHI_PICKS(piece, i, j, k, l) SHI_PICK(i, piece), SHI_PICK(j, piece), SHI_PICK(k, piece), SHI_PICK(l, piece)
+#else
+#define SHI_PICKS(piece, i, j) SHI_PICK(i, piece), SHI_PICK(j, piece)
+#endif
+#if SHI_BYTES == 16
+#define SHI_IN_PIECES(a, b, ...) __builtin_shufflevector(a, b, SHI_PICKS(0, __VA_ARGS__))
+#elif SHI_BYTES == 32
+#define SHI_IN_PIECES(a, b, ...) __builtin_shufflevector(a, b, SHI_PICKS(0, __VA_ARGS__), SHI_PICKS(1, __VA_ARGS__))
+#else
+#define SHI_IN_PIECES(a, b, ...) __builtin_shufflevector(a, b, SHI_PICKS(0, __VA_ARGS__), SHI_PICKS(1, __VA_ARGS__), \
+                                                         SHI_PICKS(2, __VA_ARGS__), SHI_PICKS(3, __VA_ARGS__))
+#endif
+/* the pieces at p, p + step, ... */
+SHI_KERNEL SHI_V SHI_KN(shi_load_pieces)(const SHI_T *p, int step)
+{
+    __extension__ typedef SHI_T piece __attribute__((__vector_size__(16)));
+    piece t[SHI_BYTES / 16];
+    int i;
+    SHI_UNROLL
+    for (i = 0; i < SHI_BYTES / 16; i++) memcpy(&t[i], p + i * step, sizeof *t);
+#if SHI_LANES == SHI_PIECE
+    return t[0];
+#elif SHI_LANES == 4
+    return __builtin_shufflevector(t[0], t[1], 0, 1, 2, 3);
+#elif SHI_BYTES == 32
+    return __builtin_shufflevector(t[0], t[1], 0, 1, 2, 3, 4, 5, 6, 7);
+#elif SHI_LANES == 8
+    return __builtin_shufflevector(__builtin_shufflevector(t[0], t[1], 0, 1, 2, 3),
+                                   __builtin_shufflevector(t[2], t[3], 0, 1, 2, 3), 0, 1, 2, 3, 4, 5, 6, 7);
+#else
+    return __builtin_shufflevector(__builtin_shufflevector(t[0], t[1], 0, 1, 2, 3, 4, 5, 6, 7),
+                                   __builtin_shufflevector(t[2], t[3], 0, 1, 2, 3, 4, 5, 6, 7),
+                                   0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15);
+#endif
+}
+#endif
+
 /* W vectors from the first `lanes` of W triples; the last one again past the end */
 SHI_KERNEL void SHI_KN(shi_load3)(const SHI_T *p, int lanes, SHI_V v[3])
 {
@@ -796,38 +861,30 @@ SHI_KERNEL void SHI_KN(shi_load3)(const SHI_T *p, int lanes, SHI_V v[3])
     v[2] = p[2];
 #else
     SHI_T t[3 * SHI_W];
+#if defined(SHI_PIECE)
     SHI_V a, b, c;
+#endif
     int i;
     if (lanes < SHI_W) {
         for (i = 0; i < SHI_W; i++) memcpy(t + 3 * i, p + 3 * (i < lanes ? i : lanes - 1), 3 * sizeof *t);
         p = t;
     }
-    a = SHI_LOAD(p);
-    b = SHI_LOAD(p + SHI_W);
-    c = SHI_LOAD(p + 2 * SHI_W);
-#if defined(SHI_SHUFFLE) && SHI_LANES == 2
-    v[0] = __builtin_shufflevector(a, b, 0, 3);
-    v[1] = __builtin_shufflevector(a, c, 1, 2);
-    v[2] = __builtin_shufflevector(b, c, 0, 3);
-#elif defined(SHI_SHUFFLE) && SHI_LANES == 4        /* from a and b, then the rest from c */
-    v[0] = __builtin_shufflevector(__builtin_shufflevector(a, b, 0, 3, 6, 6), c, 0, 1, 2, 5);
-    v[1] = __builtin_shufflevector(__builtin_shufflevector(a, b, 1, 4, 7, 7), c, 0, 1, 2, 6);
-    v[2] = __builtin_shufflevector(__builtin_shufflevector(a, b, 2, 5, 5, 5), c, 0, 1, 4, 7);
-#elif defined(SHI_SHUFFLE) && SHI_LANES == 8
-    v[0] = __builtin_shufflevector(__builtin_shufflevector(a, b, 0, 3, 6, 9, 12, 15, 15, 15), c, 0, 1, 2, 3, 4, 5, 10, 13);
-    v[1] = __builtin_shufflevector(__builtin_shufflevector(a, b, 1, 4, 7, 10, 13, 13, 13, 13), c, 0, 1, 2, 3, 4, 8, 11, 14);
-    v[2] = __builtin_shufflevector(__builtin_shufflevector(a, b, 2, 5, 8, 11, 14, 14, 14, 14), c, 0, 1, 2, 3, 4, 9, 12, 15);
-#elif defined(SHI_SHUFFLE) && SHI_LANES == 16
-    v[0] = __builtin_shufflevector(__builtin_shufflevector(a, b, 0, 3, 6, 9, 12, 15, 18, 21, 24, 27, 30, 30, 30, 30, 30, 30),
-                                   c, 0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 17, 20, 23, 26, 29);
-    v[1] = __builtin_shufflevector(__builtin_shufflevector(a, b, 1, 4, 7, 10, 13, 16, 19, 22, 25, 28, 31, 31, 31, 31, 31, 31),
-                                   c, 0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 18, 21, 24, 27, 30);
-    v[2] = __builtin_shufflevector(__builtin_shufflevector(a, b, 2, 5, 8, 11, 14, 17, 20, 23, 26, 29, 29, 29, 29, 29, 29, 29),
-                                   c, 0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 16, 19, 22, 25, 28, 31);
+#if defined(SHI_PIECE)                                  /* x0 y0 z0 x1 | y1 z1 x2 y2 | z2 x3 y3 z3 */
+    a = SHI_KN(shi_load_pieces)(p, 3 * SHI_PIECE);
+    b = SHI_KN(shi_load_pieces)(p + SHI_PIECE, 3 * SHI_PIECE);
+    c = SHI_KN(shi_load_pieces)(p + 2 * SHI_PIECE, 3 * SHI_PIECE);
+#if SHI_BITS == 32
+    v[0] = SHI_IN_PIECES(b, c, 2, 3, 5, 6);
+    v[1] = SHI_IN_PIECES(a, b, 1, 2, 4, 5);
+    v[2] = SHI_IN_PIECES(v[1], c, 1, 3, 4, 7);
+    v[1] = SHI_IN_PIECES(v[1], v[0], 0, 2, 5, 7);
+    v[0] = SHI_IN_PIECES(a, v[0], 0, 3, 4, 6);
 #else
-    v[0] = a;
-    v[1] = b;
-    v[2] = c;
+    v[0] = SHI_IN_PIECES(a, b, 0, 3);
+    v[1] = SHI_IN_PIECES(a, c, 1, 2);
+    v[2] = SHI_IN_PIECES(b, c, 0, 3);
+#endif
+#else
     for (i = 0; i < SHI_W; i++) {
         v[0][i] = p[3 * i];
         v[1][i] = p[3 * i + 1];
@@ -837,39 +894,28 @@ SHI_KERNEL void SHI_KN(shi_load3)(const SHI_T *p, int lanes, SHI_V v[3])
 #endif
 }
 
-#if defined(SHI_SHUFFLE) && SHI_LANES > 1 && SHI_BYTES <= 32
-#define SHI_PIECE (128 / SHI_BITS)                      /* lanes of 16 bytes: shuffles within such pieces are the cheap ones */
-/* a0 b0 a1 b1 of every piece, from their lower and upper halves */
-SHI_KERNEL void SHI_KN(shi_zip_pieces)(SHI_V a, SHI_V b, SHI_V *lo, SHI_V *hi)
+/* W directions, ready for the basis */
+typedef struct {
+    SHI_V u[4], inverse;
+    int good;
+} SHI_KN(shi_direction);
+#define SHI_IN_BLOCK (SHI_W < SH_BLOCK ? SH_BLOCK / SHI_W : 1)
+SHI_KERNEL void SHI_KN(shi_direct_block)(const SHI_T *d, SHI_KN(shi_direction) *o)     /* [3][8] */
 {
-#if SHI_LANES == SHI_PIECE
-    SHI_KN(shi_zip)(a, b, lo, hi);
-#elif SHI_LANES == 4
-    *lo = __builtin_shufflevector(a, b, 0, 4, 2, 6);
-    *hi = __builtin_shufflevector(a, b, 1, 5, 3, 7);
-#else
-    *lo = __builtin_shufflevector(a, b, 0, 8, 1, 9, 4, 12, 5, 13);
-    *hi = __builtin_shufflevector(a, b, 2, 10, 3, 11, 6, 14, 7, 15);
-#endif
+    SHI_V v[3];
+    v[0] = SHI_LOAD(d);
+    v[1] = SHI_LOAD(d + SH_BLOCK);
+    v[2] = SHI_LOAD(d + 2 * SH_BLOCK);
+    o->good = SHI_KN(shi_unit)(v, o->u, &o->inverse);
 }
-/* one piece from each of two places */
-SHI_KERNEL SHI_V SHI_KN(shi_load_pieces)(const SHI_T *p, const SHI_T *q)
+SHI_KERNEL void SHI_KN(shi_direct_plain)(const SHI_T *d, size_t count, SHI_KN(shi_direction) *o)       /* [count][3] */
 {
-#if SHI_LANES == SHI_PIECE
-    (void)q;
-    return SHI_LOAD(p);
-#else
-    __extension__ typedef SHI_T piece __attribute__((__vector_size__(16)));
-    piece a, b;
-    memcpy(&a, p, sizeof a);
-    memcpy(&b, q, sizeof b);
-#if SHI_LANES == 4
-    return __builtin_shufflevector(a, b, 0, 1, 2, 3);
-#else
-    return __builtin_shufflevector(a, b, 0, 1, 2, 3, 4, 5, 6, 7);
-#endif
-#endif
+    SHI_V v[3];
+    SHI_KN(shi_load3)(d, count < SHI_W ? (int)count : SHI_W, v);
+    o->good = SHI_KN(shi_unit)(v, o->u, &o->inverse);
 }
+
+#if defined(SHI_PIECE) && SHI_BYTES <= 32
 /* W rows of W elements, `pitch` apart, to W rows of out: a piece of W rows at a time */
 SHI_KERNEL void SHI_KN(shi_transpose_square)(const SHI_T *rows, int pitch, SHI_T *out, size_t stride)
 {
@@ -879,14 +925,19 @@ SHI_KERNEL void SHI_KN(shi_transpose_square)(const SHI_T *rows, int pitch, SHI_T
     for (first = 0; first < SHI_W; first += SHI_PIECE) {
         SHI_UNROLL
         for (i = 0; i < SHI_PIECE; i++)
-            a[i] = SHI_KN(shi_load_pieces)(rows + i * pitch + first, rows + (i + SHI_PIECE) * pitch + first);
+            a[i] = SHI_KN(shi_load_pieces)(rows + i * pitch + first, SHI_PIECE * pitch);
 #if SHI_PIECE == 4
-        SHI_KN(shi_zip_pieces)(a[0], a[2], &b[0], &b[1]);
-        SHI_KN(shi_zip_pieces)(a[1], a[3], &b[2], &b[3]);
-        SHI_KN(shi_zip_pieces)(b[0], b[2], &a[0], &a[1]);
-        SHI_KN(shi_zip_pieces)(b[1], b[3], &a[2], &a[3]);
+        b[0] = SHI_IN_PIECES(a[0], a[2], 0, 4, 1, 5);
+        b[1] = SHI_IN_PIECES(a[0], a[2], 2, 6, 3, 7);
+        b[2] = SHI_IN_PIECES(a[1], a[3], 0, 4, 1, 5);
+        b[3] = SHI_IN_PIECES(a[1], a[3], 2, 6, 3, 7);
+        a[0] = SHI_IN_PIECES(b[0], b[2], 0, 4, 1, 5);
+        a[1] = SHI_IN_PIECES(b[0], b[2], 2, 6, 3, 7);
+        a[2] = SHI_IN_PIECES(b[1], b[3], 0, 4, 1, 5);
+        a[3] = SHI_IN_PIECES(b[1], b[3], 2, 6, 3, 7);
 #else
-        SHI_KN(shi_zip_pieces)(a[0], a[1], &b[0], &b[1]);
+        b[0] = SHI_IN_PIECES(a[0], a[1], 0, 2);
+        b[1] = SHI_IN_PIECES(a[0], a[1], 1, 3);
         a[0] = b[0];
         a[1] = b[1];
 #endif
@@ -894,7 +945,6 @@ SHI_KERNEL void SHI_KN(shi_transpose_square)(const SHI_T *rows, int pitch, SHI_T
         for (i = 0; i < SHI_PIECE; i++) SHI_STORE(out + (size_t)(first + i) * stride, a[i]);
     }
 }
-#undef SHI_PIECE
 #define SHI_SQUARES
 #endif
 
@@ -929,18 +979,22 @@ SHI_INLINE void SHI_KN(shi_scatter)(const SHI_T *block, int rows, SHI_T *out, si
 #define SHI_ROOM SHI_BASIS
 #define SHI_LOOP
 #define SHI_FIXED 0
+#define SHI_COLUMN SH_MAX_BANDS
 #define SHI_BN(name) SHI_KN(SHI_CAT(name, _any))
 #include SH_GRADIENT_FILENAME
 #undef  SHI_LOOP
 #undef  SHI_FIXED
 #undef  SHI_BN
+#undef  SHI_COLUMN
 #define SHI_LOOP SHI_UNROLL
 #define SHI_FIXED 1
+#define SHI_COLUMN SHI_POLYNOMIAL_BANDS
 #define SHI_BN(name) SHI_KN(SHI_CAT(name, _fixed))
 #include SH_GRADIENT_FILENAME
 #undef  SHI_LOOP
 #undef  SHI_FIXED
 #undef  SHI_BN
+#undef  SHI_COLUMN
 #undef  SHI_ROOM
 #define SHI_ROOM SHI_KERNELS
 
@@ -1105,25 +1159,39 @@ SHI_NOINLINE int SHI_KN(shi_single_hessian)(int n, const SHI_T v[3], SHI_T *y, S
  * per call and evaluated by Horner: one multiply-add per coefficient. In t on [-1/2, 1/2] the terms of band l grow by
  * (1 + sqrt 2)^(l/2) at worst (52 at l = 9), in z by its square. Beyond, the columns of the basis run beside the sums. */
 
-#if SHI_LANES == 1
-/* a[N]: per m from the highest, per parity of l-m, cos then -sin, highest power first */
-SHI_INLINE void SHI_FN(shi_horner_form)(int n, const SHI_T *c, SHI_T *a)
+/* a[parity of l][k][cos, then sin][m]: coefficient of t^k in column m's polynomial times (-1)^m, W orders m at a time */
+SHI_NOINLINE void SHI_KN(shi_horner_form)(int n, const SHI_T *coeffs, SHI_T *a)
 {
-    SHI_T sum[2][SHI_POLYNOMIAL_BANDS / 2][2][SHI_POLYNOMIAL_BANDS];       /* by parity of l, power, sign, m */
-    int l, m, parity, sign, k;
-    memset(sum, 0, sizeof sum);
-    for (l = 0; l < n; l++)
-        for (k = 0; 2 * k <= l; k++)
-            for (m = 0; m <= l; m++) {
-                sum[l & 1][k][0][m] += c[l * (l + 1) + m] * SHI_HORNER(l, m, k);
-                sum[l & 1][k][1][m] -= c[l * (l + 1) - m] * SHI_HORNER(l, m, k);
+    static const SHI_T signs[17] = { 1, -1, 1, -1, 1, -1, 1, -1, 1, -1, 1, -1, 1, -1, 1, -1, 1 };
+    SHI_T padded[SHI_POLYNOMIAL_BANDS * SHI_POLYNOMIAL_BANDS + 2 * SHI_W];
+    const SHI_V zero = SHI_SPLAT(0);
+    int first, l, k;
+    SHI_STORE(padded, zero);
+    memcpy(padded + SHI_W, coeffs, (size_t)(n * n) * sizeof *coeffs);
+    SHI_STORE(padded + SHI_W + n * n, zero);
+    for (first = 0; first < n; first += SHI_W) {
+        const SHI_V sign = SHI_LOAD(signs + (first & 1));
+        SHI_V c[SHI_POLYNOMIAL_BANDS], s[SHI_POLYNOMIAL_BANDS];
+        for (l = first; l < n; l++) {
+            const SHI_T *const middle = padded + SHI_W + l * (l + 1);
+            const SHI_M has = (SHI_M)(SHI_KN(shi_orders)() <= SHI_SPLAT(SHI_C(l - first)));
+            c[l] = SHI_SELECT(has, SHI_LOAD(middle + first), zero);
+            s[l] = SHI_SELECT(has, SHI_KN(shi_reverse)(SHI_LOAD(middle - first - (SHI_W - 1))), zero);
+        }
+        for (k = 0; k < n; k++) {                                       /* parity k & 1, power k / 2 */
+            SHI_V p = zero, q = zero;
+            for (l = k > first ? k : first + ((first + k) & 1); l < n; l += 2) {
+                const SHI_V h = SHI_LOAD(&SHI_HORNER(l, first, k / 2));
+                p = SHI_FMA(h, c[l], p);
+                q = SHI_FMA(h, s[l], q);
             }
-    for (m = n - 1; m >= 0; m--)
-        for (parity = 0; parity < 2 && parity < n - m; parity++)
-            for (sign = 0; sign < (m ? 2 : 1); sign++)
-                for (k = (n - 1 - m - parity) / 2; k >= 0; k--) *a++ = sum[(m + parity) & 1][k][sign][m];
+            SHI_STORE(a + SHI_FORM_AT(k & 1, k / 2, 0, first), sign * p);
+            SHI_STORE(a + SHI_FORM_AT(k & 1, k / 2, 1, first), sign * q);
+        }
+    }
 }
 
+#if SHI_LANES == 1
 /* a[N]: per m, per l, cos then sin */
 SHI_INLINE void SHI_FN(shi_forward_form)(int n, const SHI_T *c, SHI_T *a)
 {
@@ -1164,11 +1232,11 @@ SHI_KERNEL void SHI_KN(shi_add_turned)(SHI_V x, SHI_V y, const SHI_V p[2], SHI_V
     a[1] = SHI_FMA(x, p1, SHI_FMA(y, p0, a[1]));
 }
 
-/* Re sum (A_m(z) - i B_m(z)) (-x - iy)^m by Horner in m too, and its derivatives by z and by the complex number
+/* Re sum (A_m(z) + i B_m(z)) (x - iy)^m by Horner in m too, and its derivatives by z and by the complex number
  * likewise */
 SHI_KERNEL void SHI_KN(shi_sum_horner)(int n, int with_grad, const SHI_T *a, const SHI_V u[4], SHI_V *value, SHI_V f[3])
 {
-    const SHI_V x = -u[0], y = -u[1], z = u[2], t = u[3], z2 = z + z;
+    const SHI_V x = u[0], y = -u[1], z = u[2], t = u[3], z2 = z + z;
     SHI_V s[2], by_z[2], by_w[2];
     int m, parity, sign, k;
     s[0] = s[1] = by_z[0] = by_z[1] = by_w[0] = by_w[1] = SHI_SPLAT(0);
@@ -1183,11 +1251,12 @@ SHI_KERNEL void SHI_KN(shi_sum_horner)(int n, int with_grad, const SHI_T *a, con
                 for (sign = 0; sign < 2; sign++) {
                     SHI_V h, d = SHI_SPLAT(0);
                     if (m == 0 && sign) continue;
-                    h = SHI_SPLAT(*a++);
+                    k = (n - 1 - m - parity) / 2;
+                    h = SHI_SPLAT(a[SHI_FORM_AT((m + parity) & 1, k, sign, m)]);
                     SHI_UNROLL
-                    for (k = (n - 1 - m - parity) / 2; k > 0; k--) {
+                    for (k--; k >= 0; k--) {
                         if (with_grad) d = d * t + h;
-                        h = h * t + *a++;
+                        h = h * t + a[SHI_FORM_AT((m + parity) & 1, k, sign, m)];
                     }
                     ab[sign] = parity ? z * h + ab[sign] : h;
                     if (with_grad) dab[sign] = parity ? z2 * (z * d) + (h + dab[sign]) : z2 * d;
@@ -1213,7 +1282,7 @@ SHI_KERNEL void SHI_KN(shi_sum_horner)(int n, int with_grad, const SHI_T *a, con
     }
     *value = s[0];
     if (with_grad) {
-        f[0] = -by_w[0];
+        f[0] = by_w[0];
         f[1] = by_w[1];
         f[2] = by_z[0];
     }
@@ -1246,32 +1315,34 @@ SHI_KERNEL void SHI_KN(shi_sum_forward)(int n, int with_grad, const SHI_T *a, co
     }
 }
 
+/* directions are normalised one register ahead, as in shi_blocks */
 SHI_KERNEL int SHI_KN(shi_sums)(int n, int horner, int with_grad, const SHI_T *a, size_t count, const SHI_T *dirs,
                                SHI_T *values, SHI_T *grads)
 {
+    SHI_KN(shi_direction) now, next;
     int status = SH_OK, i, k;
     size_t p;
+    SHI_KN(shi_direct_plain)(dirs, count, &next);
     for (p = 0; p < count; p += SHI_W) {
         const int lanes = count - p < SHI_W ? (int)(count - p) : SHI_W;
-        SHI_V v[3], u[4], inverse, f[3], value = SHI_SPLAT(0);
-        int good;
+        SHI_V f[3], value = SHI_SPLAT(0);
+        now = next;
+        if (count - p > SHI_W) SHI_KN(shi_direct_plain)(dirs + 3 * (p + SHI_W), count - p - SHI_W, &next);
         f[0] = f[1] = f[2] = value;
-        SHI_KN(shi_load3)(dirs + 3 * p, lanes, v);
-        good = SHI_KN(shi_unit)(v, u, &inverse);
-        if (horner) SHI_KN(shi_sum_horner)(n, with_grad, a, u, &value, f);
-        else SHI_KN(shi_sum_forward)(n, with_grad, a, u, &value, f);
-        if (good && lanes == SHI_W && !with_grad) {
+        if (horner) SHI_KN(shi_sum_horner)(n, with_grad, a, now.u, &value, f);
+        else SHI_KN(shi_sum_forward)(n, with_grad, a, now.u, &value, f);
+        if (now.good && lanes == SHI_W && !with_grad) {
             SHI_STORE(values + p, value);
         } else {
             SHI_T out[4][SHI_W];
             SHI_STORE(out[0], value);
             if (with_grad) {
-                const SHI_V radial = SHI_FMA(u[0], f[0], SHI_FMA(u[1], f[1], u[2] * f[2]));
-                for (k = 0; k < 3; k++) SHI_STORE(out[k + 1], inverse * (f[k] - radial * u[k]));
+                const SHI_V radial = SHI_FMA(now.u[0], f[0], SHI_FMA(now.u[1], f[1], now.u[2] * f[2]));
+                for (k = 0; k < 3; k++) SHI_STORE(out[k + 1], now.inverse * (f[k] - radial * now.u[k]));
             }
             for (i = 0; i < lanes; i++) {
                 const SHI_T *const d = dirs + 3 * (p + (size_t)i);
-                if (!good && !SHI_ONE(shi_in_range)(d[0] * d[0] + d[1] * d[1] + d[2] * d[2], SHI_MIN2, SHI_MAX2)) {
+                if (!now.good && !SHI_ONE(shi_in_range)(d[0] * d[0] + d[1] * d[1] + d[2] * d[2], SHI_MIN2, SHI_MAX2)) {
                     status = SHI_FN(shi_direction_status)(d);
                     continue;
                 }
@@ -1487,12 +1558,13 @@ SHI_KERNEL void SHI_KN(shi_light_rows)(int rows, int kinds, int e_last, int zona
     }
 }
 
-/* column m of a block: bands m .. top in groups whose sums fit 16 registers. sum[top-m+1][kinds][2] */
-SHI_KERNEL void SHI_KN(shi_light_column)(int n, int kinds, int m, int nb, const SHI_V *pool, int levels, SHI_V *sum)
+/* column m of a block: bands m .. top in groups whose sums fit 16 registers, qa and qb [nb] to carry the recurrence
+ * from one to the next. sum[top-m+1][kinds][2] */
+SHI_KERNEL void SHI_KN(shi_light_column)(int n, int kinds, int m, int nb, const SHI_V *pool, int levels, SHI_V *qa, SHI_V *qb,
+                                         SHI_V *sum)
 {
     const int top = n - 1 + (kinds == 1 ? 0 : kinds == 3 ? 1 : 2);
     const SHI_V *c = pool + m * nb, *v = c + levels * nb, *w = pool + 2 * levels * nb, *z = w + kinds * levels * nb;
-    SHI_V qa[SHI_LIGHTS_AT_ONCE], qb[SHI_LIGHTS_AT_ONCE];
     SHI_T beta[4];
     int j = m, i, rows;
 #define SHI_ROWS_OF(r, e, zonal, first) \
@@ -1584,11 +1656,12 @@ SHI_KERNEL int SHI_KN(shi_moments)(int n, int kinds, int channels, const SHI_T *
     const int levels = n - 1 + (kinds == 1 ? 1 : kinds == 3 ? 2 : 3), plane = levels * levels;
     const int fit = SHI_POOL / ((2 + kinds) * levels + 1);
     const int at_once = fit > SHI_LIGHTS_AT_ONCE ? SHI_LIGHTS_AT_ONCE : fit;
-    SHI_V pool[SHI_POOL], sums[SHI_SUMS];
+    SHI_V pool[SHI_POOL], sums[SHI_SUMS], qa[SHI_LIGHTS_AT_ONCE], qb[SHI_LIGHTS_AT_ONCE];
     SHI_KN(shi_light) lights[SHI_LIGHTS_AT_ONCE];
     SHI_M flags[3];
     int bad = 0, m0, m1, m, j, k, i, channel;
     memset(flags, 0, sizeof flags);
+    for (i = 0; i < at_once; i++) qa[i] = qb[i] = SHI_SPLAT(0);    /* or gcc sees them unset */
     for (m0 = 0; m0 < levels; m0 = m1) {
         int size = 0, at = 0;
         size_t first;
@@ -1618,7 +1691,7 @@ SHI_KERNEL int SHI_KN(shi_moments)(int n, int kinds, int channels, const SHI_T *
                                              SHI_KN(shi_load_radiance)(power, count, first + (size_t)i * SHI_W),
                                              levels, nb, pool + i, pool + levels * nb + i);
                 for (m = m0; m < m1; at += 2 * kinds * (levels - m), m++)
-                    SHI_KN(shi_light_column)(n, kinds, m, nb, pool, levels, sums + at);
+                    SHI_KN(shi_light_column)(n, kinds, m, nb, pool, levels, qa, qb, sums + at);
             }
         }
         for (channel = 0, at = 0; channel < channels; channel++)
@@ -1704,22 +1777,21 @@ SHI_KERNEL void SHI_BN(shi_column)(int m, int n, const SHI_V a[3], SHI_V *q)
 /* y[N], `stride` elements from one coefficient to the next */
 SHI_KERNEL void SHI_BN(shi_values)(int n, int single, const SHI_V u[4], SHI_T *y, int stride)
 {
-    SHI_V a[3], q[SH_MAX_BANDS], c[SH_MAX_BANDS], s[SH_MAX_BANDS];
+    SHI_V a[3], q[SHI_COLUMN], c[SHI_COLUMN], s[SHI_COLUMN];
     int l, m;
     SHI_BN(shi_polar)(u, a);
+    SHI_BN(shi_column)(0, n, a, q);
     SHI_LOOP
-    for (m = 0; m < n; m++) {
+    for (l = 0; l < n; l++) SHI_PUT(y + (l * l + l) * stride, q[l], single);
+    SHI_LOOP
+    for (m = 1; m < n; m++) {
         SHI_KN(shi_power)(m, u, c, s);
         SHI_BN(shi_column)(m, n, a, q);
         SHI_LOOP
         for (l = m; l < n; l++) {
             SHI_T *const at = y + (l * l + l) * stride;
-            if (m == 0) {
-                SHI_PUT(at, q[l], single);
-            } else {
-                SHI_PUT(at + m * stride, q[l] * c[m], single);
-                SHI_PUT(at - m * stride, q[l] * s[m], single);
-            }
+            SHI_PUT(at + m * stride, q[l] * c[m], single);
+            SHI_PUT(at - m * stride, q[l] * s[m], single);
         }
     }
 }
@@ -1730,7 +1802,7 @@ SHI_KERNEL void SHI_BN(shi_gradient)(int n, int single, const SHI_V u[4], SHI_V 
 {
     const SHI_V z = u[2], xi = -u[0] * i, vi = -u[1] * i, zero = SHI_SPLAT(0);
     SHI_T *const gx = g, *const gy = gx + n * n * stride, *const gz = gy + n * n * stride;
-    SHI_V a[3], column[2][SH_MAX_BANDS], c[SH_MAX_BANDS], s[SH_MAX_BANDS];
+    SHI_V a[3], column[2][SHI_COLUMN], c[SHI_COLUMN], s[SHI_COLUMN];
     int l, m;
     SHI_BN(shi_polar)(u, a);
     SHI_BN(shi_column)(0, n, a, column[0]);
@@ -1802,7 +1874,7 @@ SHI_KERNEL void SHI_BN(shi_hessian)(int n, int single, const SHI_V u[4], SHI_V i
 {
     const int plane = n * n * stride, g_plane = n * n * g_stride;
     const SHI_V z = u[2], zero = SHI_SPLAT(0);
-    SHI_V a[3], column[3][SH_MAX_BANDS], c[SH_MAX_BANDS], s[SH_MAX_BANDS];
+    SHI_V a[3], column[3][SHI_COLUMN], c[SHI_COLUMN], s[SHI_COLUMN];
     int l, m;
     SHI_BN(shi_polar)(u, a);
     SHI_BN(shi_column)(0, n, a, column[0]);
@@ -1850,41 +1922,40 @@ SHI_KERNEL void SHI_BN(shi_hessian)(int n, int single, const SHI_V u[4], SHI_V i
 }
 
 /* dirs[blocks][3][8] to y[N][8], g[3 N][8], h[6 N][8] per block, yn, gn, hn elements apart (0: each block over the
- * last); a stride ys, gs, hs of 0 discards an output of the looped body */
+ * last); a stride ys, gs, hs of 0 discards an output of the looped body. A block is normalised while the one before is
+ * evaluated: the chain of the one fills the gaps of the other. Registers with a bad direction come last, lane by lane */
 SHI_KERNEL int SHI_BN(shi_blocks)(int n, int planes, size_t blocks, const SHI_T *dirs, SHI_T *y, size_t yn, int ys,
                                   SHI_T *g, size_t gn, int gs, SHI_T *h, size_t hn, int hs)
 {
-    const size_t vectors = SHI_W < SH_BLOCK ? SH_BLOCK / SHI_W : 1, all = blocks * vectors;
-    SHI_V u[SHI_AHEAD][4], inverse[SHI_AHEAD];
-    int good[SHI_AHEAD], status = SH_OK;
-    size_t first, ahead, j;
-    for (first = 0; first < all; first += ahead) {
-        ahead = planes == SH_VALUES ? 1 : all - first < SHI_AHEAD ? all - first : SHI_AHEAD;
-        for (j = 0; j < ahead; j++) {
-            const SHI_T *const d = dirs + (first + j) / vectors * (3 * SH_BLOCK) + (first + j) % vectors * SHI_W;
-            SHI_V v[3];
-            v[0] = SHI_LOAD(d);
-            v[1] = SHI_LOAD(d + SH_BLOCK);
-            v[2] = SHI_LOAD(d + 2 * SH_BLOCK);
-            good[j] = SHI_KN(shi_unit)(v, u[j], &inverse[j]);
-        }
-        for (j = 0; j < ahead; j++) {
-            const size_t b = (first + j) / vectors, lane = (first + j) % vectors * SHI_W;
-            SHI_T *const yb = y + b * yn + (ys ? lane : 0), *const gb = g + b * gn + (gs ? lane : 0);
-            SHI_T *const hb = h + b * hn + (hs ? lane : 0);
-            if (SHI_RARELY(!good[j])) {
-                const int bad = SHI_FN(shi_one_by_one)(n, planes, SHI_W, dirs + b * (3 * SH_BLOCK) + lane, SH_BLOCK, 1,
-                                                       yb, ys, ys != 0, gb, gs, gs != 0, hb, hs, hs != 0);
-                status = bad ? bad : status;
-            } else if (planes == SH_VALUES) {
-                SHI_BN(shi_values)(n, 0, u[j], yb, ys);
-            } else if (planes == SH_GRADIENT) {
-                SHI_BN(shi_gradient)(n, 0, u[j], inverse[j], yb, ys, gb, gs);
-            } else {
-                SHI_BN(shi_hessian)(n, 0, u[j], inverse[j], yb, ys, gb, gs, hb, hs);
-            }
+    SHI_KN(shi_direction) now[SHI_IN_BLOCK], next[SHI_IN_BLOCK];
+    int status = SH_OK, all_good = 1, i;
+    size_t b;
+    for (i = 0; i < SHI_IN_BLOCK && blocks > 0; i++) SHI_KN(shi_direct_block)(dirs + i * SHI_W, &next[i]);
+    for (b = 0; b < blocks; b++) {
+        SHI_UNROLL
+        for (i = 0; i < SHI_IN_BLOCK; i++) now[i] = next[i];
+        for (i = 0; i < SHI_IN_BLOCK && b + 1 < blocks; i++)
+            SHI_KN(shi_direct_block)(dirs + (b + 1) * (3 * SH_BLOCK) + i * SHI_W, &next[i]);
+        for (i = 0; i < SHI_IN_BLOCK; i++) {
+            SHI_T *const yb = y + b * yn + (ys ? i * SHI_W : 0), *const gb = g + b * gn + (gs ? i * SHI_W : 0);
+            SHI_T *const hb = h + b * hn + (hs ? i * SHI_W : 0);
+            if (SHI_RARELY(!now[i].good)) all_good = 0;
+            else if (planes == SH_VALUES) SHI_BN(shi_values)(n, 0, now[i].u, yb, ys);
+            else if (planes == SH_GRADIENT) SHI_BN(shi_gradient)(n, 0, now[i].u, now[i].inverse, yb, ys, gb, gs);
+            else SHI_BN(shi_hessian)(n, 0, now[i].u, now[i].inverse, yb, ys, gb, gs, hb, hs);
         }
     }
+    for (b = 0; b < blocks && SHI_RARELY(!all_good); b++)
+        for (i = 0; i < SH_BLOCK; i += SHI_W) {
+            const SHI_T *const d = dirs + b * (3 * SH_BLOCK) + i;
+            SHI_KN(shi_direct_block)(d, next);
+            if (!next->good) {
+                const int bad = SHI_FN(shi_one_by_one)(n, planes, SHI_W, d, SH_BLOCK, 1, y + b * yn + (ys ? i : 0), ys, ys != 0,
+                                                       g + b * gn + (gs ? i : 0), gs, gs != 0, h + b * hn + (hs ? i : 0), hs,
+                                                       hs != 0);
+                status = bad ? bad : status;
+            }
+        }
     return status;
 }
 
@@ -2540,7 +2611,7 @@ SH_API int SHI_FN(sh_reconstruct_n)(int bands, const SHI_T *coeffs, size_t count
         || shi_overlap(dirs, 3 * count * item, grads, 3 * count * item)
         || shi_overlap(coeffs, size * item, values, count * item) || shi_overlap(coeffs, size * item, grads, 3 * count * item)
         || shi_overlap(values, count * item, grads, 3 * count * item)) return SH_ERROR_OVERLAP;
-    if (bands <= SH_UNROLLED_BANDS) SHI_FN(shi_horner_form)(bands, coeffs, a);
+    if (bands <= SH_UNROLLED_BANDS) SHI_MANY(shi_horner_form)(bands, coeffs, a);
     else SHI_FN(shi_forward_form)(bands, coeffs, a);
     if (grads) return SHI_WIDE(shi_sum_gradient)(bands, a, count, dirs, values, grads);
     return values ? SHI_WIDE(shi_sum_values)(bands, a, count, dirs, values) : SH_OK;
