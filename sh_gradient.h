@@ -382,6 +382,7 @@ SHI_INLINE int shi_overlap(const void *a, size_t a_bytes, const void *b, size_t 
 #undef SHI_PIECE
 #undef SHI_PICK
 #undef SHI_PICKS
+#undef SHI_JOIN
 #undef SHI_IN_PIECES
 #undef SHI_BITS_OF
 #undef SHI_SELECT
@@ -826,28 +827,33 @@ SHI_KERNEL int SHI_KN(shi_unit)(const SHI_V v[3], SHI_V u[4], SHI_V *inverse)
 #define SHI_IN_PIECES(a, b, ...) __builtin_shufflevector(a, b, SHI_PICKS(0, __VA_ARGS__), SHI_PICKS(1, __VA_ARGS__), \
                                                          SHI_PICKS(2, __VA_ARGS__), SHI_PICKS(3, __VA_ARGS__))
 #endif
+#if defined(__AVX__) && !defined(__clang__) && SHI_BITS == 32      /* gcc would load b and shuffle, clang inserts */
+#define SHI_JOIN(a, b) __builtin_ia32_vinsertf128_ps256(__builtin_ia32_ps256_ps(a), b, 1)
+#elif defined(__AVX__) && !defined(__clang__)
+#define SHI_JOIN(a, b) __builtin_ia32_vinsertf128_pd256(__builtin_ia32_pd256_pd(a), b, 1)
+#elif SHI_BITS == 32
+#define SHI_JOIN(a, b) __builtin_shufflevector(a, b, 0, 1, 2, 3, 4, 5, 6, 7)
+#else
+#define SHI_JOIN(a, b) __builtin_shufflevector(a, b, 0, 1, 2, 3)
+#endif
 /* the pieces at p, p + step, ... */
 SHI_KERNEL SHI_V SHI_KN(shi_load_pieces)(const SHI_T *p, int step)
 {
-    __extension__ typedef SHI_T piece __attribute__((__vector_size__(16)));
-    piece t[SHI_BYTES / 16];
-    int i;
-    SHI_UNROLL
-    for (i = 0; i < SHI_BYTES / 16; i++) memcpy(&t[i], p + i * step, sizeof *t);
-#if SHI_LANES == SHI_PIECE
-    return t[0];
-#elif SHI_LANES == 4
-    return __builtin_shufflevector(t[0], t[1], 0, 1, 2, 3);
+    __extension__ typedef SHI_T piece __attribute__((__vector_size__(16), __aligned__(SHI_BITS / 8), __may_alias__));
+#define SHI_AT_PIECE(i) (*(const piece *)(p + (i) * step))
+#if SHI_BYTES == 16
+    (void)step;
+    return SHI_AT_PIECE(0);
 #elif SHI_BYTES == 32
-    return __builtin_shufflevector(t[0], t[1], 0, 1, 2, 3, 4, 5, 6, 7);
-#elif SHI_LANES == 8
-    return __builtin_shufflevector(__builtin_shufflevector(t[0], t[1], 0, 1, 2, 3),
-                                   __builtin_shufflevector(t[2], t[3], 0, 1, 2, 3), 0, 1, 2, 3, 4, 5, 6, 7);
-#else
-    return __builtin_shufflevector(__builtin_shufflevector(t[0], t[1], 0, 1, 2, 3, 4, 5, 6, 7),
-                                   __builtin_shufflevector(t[2], t[3], 0, 1, 2, 3, 4, 5, 6, 7),
+    return SHI_JOIN(SHI_AT_PIECE(0), SHI_AT_PIECE(1));
+#elif SHI_BITS == 32
+    return __builtin_shufflevector(SHI_JOIN(SHI_AT_PIECE(0), SHI_AT_PIECE(1)), SHI_JOIN(SHI_AT_PIECE(2), SHI_AT_PIECE(3)),
                                    0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15);
+#else
+    return __builtin_shufflevector(SHI_JOIN(SHI_AT_PIECE(0), SHI_AT_PIECE(1)), SHI_JOIN(SHI_AT_PIECE(2), SHI_AT_PIECE(3)),
+                                   0, 1, 2, 3, 4, 5, 6, 7);
 #endif
+#undef SHI_AT_PIECE
 }
 #endif
 
@@ -951,12 +957,16 @@ SHI_KERNEL void SHI_KN(shi_transpose_square)(const SHI_T *rows, int pitch, SHI_T
 /* block[rows][W], rows `pitch` elements apart, to W rows of out, `stride` apart, the first `lanes` of them */
 SHI_KERNEL void SHI_KN(shi_transpose_block)(const SHI_T *block, int pitch, int rows, SHI_T *out, size_t stride, int lanes)
 {
-    int r = 0, i;
+    int r, i;
 #if defined(SHI_SQUARES)
-    while (lanes == SHI_W && rows >= SHI_W) {
-        SHI_KN(shi_transpose_square)(block + r * pitch, pitch, out + r, stride);
-        if (r + SHI_W >= rows) return;
-        r = r + 2 * SHI_W <= rows ? r + SHI_W : rows - SHI_W;   /* the last square overlaps the one before */
+    if (lanes == SHI_W && rows >= SHI_W) {
+        for (r = 0; r + 1 < rows; r += SHI_W) {
+            if (r + SHI_W > rows) r = rows - SHI_W;                 /* the last square overlaps the one before */
+            SHI_KN(shi_transpose_square)(block + r * pitch, pitch, out + r, stride);
+        }
+        SHI_UNROLL
+        for (i = 0; i < SHI_W && r < rows; i++) out[(size_t)i * stride + (size_t)r] = block[r * pitch + i];
+        return;
     }
 #endif
     for (i = 0; i < lanes; i++)
