@@ -160,9 +160,9 @@ enum {
 #endif
 
 #define SHI_STAGE 32768                                 /* bytes of stack a plain batch may use */
-#define SHI_POOL 400                                    /* vectors on the stack: weights of a block of lights ... */
+#define SHI_POOL 720                                    /* vectors on the stack: weights of a block of lights ... */
 #define SHI_SUMS 992                                    /* ... running sums ... */
-#define SHI_LIGHTS_AT_ONCE 16                           /* ... and most vectors of lights in a block */
+#define SHI_LIGHTS_AT_ONCE 11                           /* ... and most vectors in a block: 16 would share cache sets */
 #define SHI_POLYNOMIAL_BANDS 10                         /* shi_horner's; the most that can be unrolled */
 #define SHI_ROWS(l, m) ((l) * ((l) + 1) / 2 + (m))      /* index into tables by band and m */
 
@@ -1475,6 +1475,7 @@ SHI_KERNEL void SHI_KN(shi_light_weights)(int n, int kinds, const SHI_KN(shi_lig
     const SHI_T tau = SHI_C(6.2831853071795865);
     const SHI_V zero = SHI_SPLAT(0), i = kinds > 1 ? o->inverse : zero, q = kinds > 1 ? o->q : zero;
     const SHI_V k = tau * o->s2, k1 = -tau * q;
+    const SHI_V bend = kinds == SHI_ALL_KINDS ? q * (SHI_C(3) * i + q / o->alpha) : zero;
     SHI_V p = SHI_SPLAT(1), step = zero, slope = zero;
     int l, t;
     for (t = 0; t < kinds; t++)                                 /* bands a kind does not reach */
@@ -1494,12 +1495,11 @@ SHI_KERNEL void SHI_KN(shi_light_weights)(int n, int kinds, const SHI_KN(shi_lig
             const SHI_V g = f * i, f1 = k1 * p;
             if (l > 0) SHI_WEIGHT(1, l - 1) = f1 + SHI_C(l + 1) * g;
             SHI_WEIGHT(2, l + 1) = f1 - SHI_C(l) * g;
-            if (kinds == SHI_ALL_KINDS) {
-                const SHI_V f2 = tau * (p * (SHI_C(3) * (q * i) + q * q / o->alpha) - slope * (q * q));
-                const SHI_V h = (f1 - g) * i;
-                if (l > 1) SHI_WEIGHT(3, l - 2) = (f2 + SHI_C(l + 1) * h) + SHI_C(l) * ((f1 + SHI_C(l + 1) * g) * i);
-                SHI_WEIGHT(4, l) = f2 + SHI_C(2) * (f1 * i) - SHI_C(l * (l + 1)) * (g * i);
-                SHI_WEIGHT(5, l + 2) = (f2 - SHI_C(l) * h) - SHI_C(l + 1) * ((f1 - SHI_C(l) * g) * i);
+            if (kinds == SHI_ALL_KINDS) {                       /* f'', f'/rho and f/rho^2 */
+                const SHI_V f2 = tau * SHI_FMA(p, bend, -(slope * (q * q))), f1i = (k1 * i) * p, gi = g * i;
+                if (l > 1) SHI_WEIGHT(3, l - 2) = f2 + (SHI_C(2 * l + 1) * f1i + SHI_C(l * l - 1) * gi);
+                SHI_WEIGHT(4, l) = f2 + (SHI_C(2) * f1i - SHI_C(l * (l + 1)) * gi);
+                SHI_WEIGHT(5, l + 2) = f2 - (SHI_C(2 * l + 1) * f1i - SHI_C(l * (l + 2)) * gi);
             }
         }
     }
