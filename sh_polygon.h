@@ -23,7 +23,8 @@
  *     It need not be quite planar: what counts is the boundary, filled by the fan of triangles at vertex 0.
  *     front     the side from which the vertices run counter-clockwise
  *     sides     SH_BOTH positive from either side, SH_FRONT zero from behind, SH_SIGNED negative from behind
- *     A boundary that crosses itself counts each region with its winding number.
+ *     A boundary that crosses itself counts each region with its winding number, and its side is that of its
+ *     signed area: of a bow tie whose halves cancel, every point is behind.
  *
  * IN THE PLANE OF THE POLYGON (exactly: the determinants of the fan are zero, computed without rounding)
  *     outside   zeros; gradient 0, except SH_SIGNED, where it is the exact derivative

@@ -580,7 +580,7 @@ static void F(differences)(void **state)
     row_close(w);
 }
 
-/* a bow tie: each half with its winding; twice around: twice */
+/* a bow tie: each half with its winding, behind it everywhere as its halves cancel; twice around: twice */
 static void F(winding)(void **state)
 {
     static const T p[3] = { (T)0.125, (T)0.25, 1 };
@@ -599,6 +599,22 @@ static void F(winding)(void **state)
     for (i = 0; i < 64; i++)
         row_check(w, (long double)c[i], (long double)a[i] + (long double)b[i],
                   64 * (long double)EPS * ref_M(ref_band(i)), i);
+    assert_int_equal(F(sh_polygon)(8, SH_BOTH, p, 4, bow, a, NULL), SH_OK);
+    assert_int_equal(F(sh_polygon)(8, SH_FRONT, p, 4, bow, b, NULL), SH_OK);
+    row_case("bow tie, both sides");
+    for (i = 0; i < 64; i++) row_check(w, (long double)a[i], -(long double)c[i], 0, i);
+    row_case("bow tie, front side");
+    for (i = 0; i < 64; i++) row_check(w, (long double)b[i], 0, 0, i);
+    {
+        T many[64], behind[3] = { p[0], p[1], -p[2] };
+        static const int corners[1] = { 4 };
+        assert_int_equal(F(sh_polygons_n)(8, SH_VALUES, 1, SH_BOTH, 1, p, 1, corners, bow, NULL, many), SH_OK);
+        row_case("bow tie among many");
+        for (i = 0; i < 64; i++) row_check(w, (long double)many[i], (long double)a[i], 64 * (long double)EPS, i);
+        assert_int_equal(F(sh_polygon)(8, SH_FRONT, behind, 4, bow, b, NULL), SH_OK);
+        row_case("bow tie, front side, other way");
+        for (i = 0; i < 64; i++) row_check(w, (long double)b[i], 0, 0, i);
+    }
     assert_int_equal(F(sh_polygon)(8, SH_SIGNED, p, 8, twice, c, NULL), SH_OK);
     F(sh_polygon)(8, SH_SIGNED, p, 4, twice, a, NULL);
     row_case("twice around");
