@@ -790,13 +790,13 @@ SHI_KERNEL SHI_V SHI_KN(shi_polish)(const SHI_V v[3], SHI_V e, SHI_V r2, const S
 }
 
 /* unit vectors and 1/length of vectors of any length; 0 if one is out of range. Nearly unit ones, the usual case,
- * have their own way, and get its bits in whatever company */
-SHI_KERNEL int SHI_KN(shi_unit)(const SHI_V v[3], SHI_V u[4], SHI_V *inverse)
+ * have their own way, and get its bits in whatever company; alone: the lanes hold one and the same */
+SHI_KERNEL int SHI_KN(shi_unit)(const SHI_V v[3], int alone, SHI_V u[4], SHI_V *inverse)
 {
     SHI_V r2;
     const SHI_V e = SHI_KN(shi_excess)(v, &r2), off = SHI_ABS(e);
     if (SHI_RARELY(!SHI_KN(shi_in_range)(off, 0, SHI_NEAR))) {
-        const SHI_M near = (SHI_M)(off <= SHI_SPLAT(SHI_NEAR));
+        const SHI_M near = alone ? SHI_BITS_OF(SHI_SPLAT(0)) : (SHI_M)(off <= SHI_SPLAT(SHI_NEAR));
         const SHI_V length2 = SHI_FMA(v[2], v[2], r2), scale = SHI_SELECT(near, SHI_SPLAT(1), SHI_RSQRT_ROUGHLY(length2));
         SHI_V w[3], left;
         w[0] = v[0] * scale;
@@ -912,13 +912,13 @@ SHI_KERNEL void SHI_KN(shi_direct_block)(const SHI_T *d, SHI_KN(shi_direction) *
     v[0] = SHI_LOAD(d);
     v[1] = SHI_LOAD(d + SH_BLOCK);
     v[2] = SHI_LOAD(d + 2 * SH_BLOCK);
-    o->good = SHI_KN(shi_unit)(v, o->u, &o->inverse);
+    o->good = SHI_KN(shi_unit)(v, 0, o->u, &o->inverse);
 }
 SHI_KERNEL void SHI_KN(shi_direct_plain)(const SHI_T *d, size_t count, SHI_KN(shi_direction) *o)       /* [count][3] */
 {
     SHI_V v[3];
     SHI_KN(shi_load3)(d, count < SHI_W ? (int)count : SHI_W, v);
-    o->good = SHI_KN(shi_unit)(v, o->u, &o->inverse);
+    o->good = SHI_KN(shi_unit)(v, 0, o->u, &o->inverse);
 }
 
 #if defined(SHI_PIECE) && SHI_BYTES <= 32
@@ -1649,7 +1649,7 @@ SHI_KERNEL int SHI_KN(shi_sample_geometry)(const SHI_T *dirs, size_t count, size
     SHI_V v[3], u[4];
     int ok;
     SHI_KN(shi_load3)(dirs + 3 * first, lanes, v);
-    ok = SHI_KN(shi_unit)(v, u, &o->inverse);
+    ok = SHI_KN(shi_unit)(v, 0, u, &o->inverse);
     o->x = -u[0];
     o->y = -u[1];
     *z = u[2];
@@ -2053,7 +2053,7 @@ SHI_KERNEL int SHI_KN(shi_one_line)(int n, int planes, const SHI_T d[3], SHI_T *
     v[0] = SHI_KEEP(SHI_SPLAT(d[0]));           /* or gcc multiplies before it spreads */
     v[1] = SHI_KEEP(SHI_SPLAT(d[1]));
     v[2] = SHI_KEEP(SHI_SPLAT(d[2]));
-    if (!SHI_KN(shi_unit)(v, u, &i)) return 0;
+    if (!SHI_KN(shi_unit)(v, 1, u, &i)) return 0;
     odd[0] = SHI_SELECT(parity, u[2], one);                     /* z where l-m is odd, for even l; for odd l */
     odd[1] = SHI_SELECT(parity, one, u[2]);
     /* powers, as in shi_power */
@@ -2149,7 +2149,7 @@ SHI_KERNEL int SHI_BN(shi_one)(int n, int planes, const SHI_T d[3], SHI_T *y, in
     SHI_V v[3], u[4], inverse;
     int k;
     for (k = 0; k < 3; k++) v[k] = SHI_SPLAT(d[k]);
-    if (!SHI_KN(shi_unit)(v, u, &inverse)) return 0;
+    if (!SHI_KN(shi_unit)(v, 1, u, &inverse)) return 0;
     if (planes == SH_VALUES) SHI_BN(shi_values)(n, 1, u, y, ys);
     else if (planes == SH_GRADIENT) SHI_BN(shi_gradient)(n, 1, u, inverse, y, ys, g, gs);
     else SHI_BN(shi_hessian)(n, 1, u, inverse, y, ys, g, gs, h, hs);
@@ -2246,7 +2246,7 @@ SHI_NOINLINE int SHI_FN(shi_symmetric)(int n, const SHI_T v[3], const SHI_T *f, 
     if (!(h ? SHI_MANY(shi_single_hessian)(n, v, c, g, h) : g ? SHI_MANY(shi_single_gradient)(n, v, c, g)
                                                             : SHI_MANY(shi_single_values)(n, v, c)))
         return SHI_FN(shi_direction_status)(v);
-    if (!SHI_ONE(shi_unit)(v, u, &i)) return SH_ERROR_DIRECTION;
+    if (!SHI_ONE(shi_unit)(v, 1, u, &i)) return SH_ERROR_DIRECTION;
     for (l = 0; l < n; l++)
         for (m = -l; m <= l; m++) {
             const int at = l * (l + 1) + m;
@@ -2276,7 +2276,7 @@ SHI_NOINLINE int SHI_FN(shi_sphere)(int n, const SHI_T x[3], const SHI_T y[3], S
     gap = SHI_ONE(shi_gap)(y, x, r);
     inside = r > 0 && gap <= 0;
     if (r > 0 && !inside) {
-        if (!SHI_ONE(shi_unit)(v, u, &i)) return SH_ERROR_DIRECTION;
+        if (!SHI_ONE(shi_unit)(v, 1, u, &i)) return SH_ERROR_DIRECTION;
         SHI_FN(shi_cap)(n, r * i, SHI_LIBM(sqrt)(gap) * i, i, f, f1, f2);
         return SHI_FN(shi_symmetric)(n, v, f, f1, f2, c, g, h);
     }
@@ -2307,7 +2307,7 @@ SHI_NOINLINE int SHI_FN(shi_light_field)(int n, size_t count, const SHI_T *dirs,
         if (depth[t] <= 0) return SH_ERROR_RADIUS;
         if (!SHI_FN(shi_finite)(a, 3) || SHI_FN(shi_is_nan)(depth[t])) return SH_ERROR_NOT_FINITE;
         if (!SHI_FN(shi_finite)(depth + t, 1)) continue;
-        (void)SHI_ONE(shi_unit)(w, u, &inverse);
+        (void)SHI_ONE(shi_unit)(w, 1, u, &inverse);
         least = SHI_C(1e-3) * SHI_LIBM(sqrt)(a[0] * a[0] + a[1] * a[1] + a[2] * a[2]);
         facing = a[0] * u[0] + a[1] * u[1] + a[2] * u[2];
         if (SHI_LIBM(fabs)(facing) < least) facing = facing < 0 ? -least : least;
