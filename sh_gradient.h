@@ -164,6 +164,7 @@ enum {
 #define SHI_SUMS 992                                    /* ... running sums ... */
 #define SHI_LIGHTS_AT_ONCE 11                           /* ... and most vectors in a block: 16 would share cache sets */
 #define SHI_POLYNOMIAL_BANDS 10                         /* shi_horner's; the most that can be unrolled */
+#define SHI_ABREAST 4                                   /* columns computed at once beyond; twice as many are kept */
 #define SHI_ROWS(l, m) ((l) * ((l) + 1) / 2 + (m))      /* index into tables by band and m */
 
 #define SHI_HORNER(l, m, k) (SHI_FN(shi_horner)[SHI_FN(shi_horner_row)[l] + (k) * ((l) + 2) + (m)])
@@ -990,21 +991,25 @@ SHI_INLINE void SHI_KN(shi_scatter)(const SHI_T *block, int rows, SHI_T *out, si
 #define SHI_LOOP
 #define SHI_FIXED 0
 #define SHI_COLUMN SH_MAX_BANDS
+#define SHI_RING (2 * SHI_ABREAST)
 #define SHI_BN(name) SHI_KN(SHI_CAT(name, _any))
 #include SH_GRADIENT_FILENAME
 #undef  SHI_LOOP
 #undef  SHI_FIXED
 #undef  SHI_BN
 #undef  SHI_COLUMN
+#undef  SHI_RING
 #define SHI_LOOP SHI_UNROLL
 #define SHI_FIXED 1
 #define SHI_COLUMN SHI_POLYNOMIAL_BANDS
+#define SHI_RING 3
 #define SHI_BN(name) SHI_KN(SHI_CAT(name, _fixed))
 #include SH_GRADIENT_FILENAME
 #undef  SHI_LOOP
 #undef  SHI_FIXED
 #undef  SHI_BN
 #undef  SHI_COLUMN
+#undef  SHI_RING
 #undef  SHI_ROOM
 #define SHI_ROOM SHI_KERNELS
 
@@ -1300,16 +1305,16 @@ SHI_KERNEL void SHI_KN(shi_sum_horner)(int n, int with_grad, const SHI_T *a, con
 
 SHI_KERNEL void SHI_KN(shi_sum_forward)(int n, int with_grad, const SHI_T *a, const SHI_V u[4], SHI_V *value, SHI_V f[3])
 {
-    SHI_V c[SH_MAX_BANDS], s[SH_MAX_BANDS], polar[3], column[2][SH_MAX_BANDS];
+    SHI_V c[SH_MAX_BANDS], s[SH_MAX_BANDS], polar[3], column[2 * SHI_ABREAST][SH_MAX_BANDS];
     int l, m;
     SHI_KN(shi_polar_any)(u, polar);
-    SHI_KN(shi_column_any)(0, n, polar, column[0]);
+    SHI_KN(shi_column_any)(0, n, polar, column);
     for (m = 0; m < n; m++) {
-        const SHI_V *const q0 = column[m & 1], *const q1 = column[(m + 1) & 1];
+        const SHI_V *const q0 = column[m % (2 * SHI_ABREAST)], *const q1 = column[(m + 1) % (2 * SHI_ABREAST)];
         SHI_V ab[2], dab[2];
         ab[0] = ab[1] = dab[0] = dab[1] = SHI_SPLAT(0);
         SHI_KN(shi_power)(m, u, c, s);
-        SHI_KN(shi_column_any)(m + 1, n, polar, column[(m + 1) & 1]);
+        SHI_KN(shi_column_any)(m + 1, n, polar, column);
         for (l = m; l < n; l++) {
             const SHI_V d = l > m ? SHI_FN(shi_slope)[SHI_ROWS(l, m)] * q1[l] : SHI_SPLAT(0);
             ab[0] += *a * q0[l];
@@ -1758,12 +1763,12 @@ SHI_KERNEL void SHI_BN(shi_polar)(const SHI_V u[4], SHI_V a[3])
 #endif
 }
 
-/* q[l] for l = m .. n-1, norm included */
-SHI_KERNEL void SHI_BN(shi_column)(int m, int n, const SHI_V a[3], SHI_V *q)
-{
-    int l;
+/* column[m % SHI_RING][l] = q_l^m for l = m .. n-1, norm included; called for m = 0, 1, ... */
 #if SHI_FIXED
-    int k;
+SHI_KERNEL void SHI_BN(shi_column)(int m, int n, const SHI_V a[3], SHI_V (*column)[SHI_COLUMN])
+{
+    SHI_V *const q = column[m % SHI_RING];
+    int l, k;
     SHI_LOOP
     for (l = m; l < n; l++) {
         SHI_V h = SHI_SPLAT(SHI_HORNER(l, m, (l - m) / 2));
@@ -1771,32 +1776,65 @@ SHI_KERNEL void SHI_BN(shi_column)(int m, int n, const SHI_V a[3], SHI_V *q)
         for (k = (l - m) / 2 - 1; k >= 0; k--) h = SHI_FMA(h, a[1], SHI_SPLAT(SHI_HORNER(l, m, k)));
         q[l] = (l - m) & 1 ? h * a[0] : h;
     }
-#else
-    SHI_V p = SHI_SPLAT(1), d = SHI_SPLAT(0);
-    for (l = m; l < n; l++) {
-        if (l > m) {
-            const SHI_T r = SHI_FN(shi_reciprocal)[l + m];
-            d = SHI_FMA((SHI_C(1 - 2 * l) * r) * a[1], p, (SHI_C(l - 1 - m) * r) * d);
-            p = p + d;
-        }
-        q[l] = SHI_FN(shi_pole)[SHI_ROWS(l, m)] * ((l - m) & 1 ? a[2] * p : p);
-    }
-#endif
 }
+#else
+/* The recurrence is a chain: SHI_ABREAST columns from m on run at once. A function of its own, or gcc keeps
+ * them in memory */
+SHI_NOINLINE void SHI_KN(shi_columns)(int m, int n, const SHI_V a[3], SHI_V (*q)[SHI_COLUMN])
+{
+    const SHI_V t = a[1];
+    const SHI_T *r = SHI_FN(shi_reciprocal) + 2 * m, *pole = SHI_FN(shi_pole) + SHI_ROWS(m, m);
+    SHI_T step = SHI_C(1 - 2 * m), back = -1;
+    SHI_V p[SHI_ABREAST], d[SHI_ABREAST], side[2], swap;
+    int l, j;
+    SHI_UNROLL
+    for (j = 0; j < SHI_ABREAST; j++) {
+        p[j] = SHI_SPLAT(1);
+        d[j] = SHI_SPLAT(0);
+    }
+    side[0] = p[0];
+    side[1] = a[2];
+    for (l = m; ; ) {
+        SHI_UNROLL
+        for (j = 0; j < SHI_ABREAST; j++)
+            if (l >= m + j) q[j][l] = pole[j] * (side[j & 1] * p[j]);
+        if (++l >= n) break;
+        step -= 2;
+        back += 1;
+        r++;
+        pole += l;
+        SHI_UNROLL
+        for (j = 0; j < SHI_ABREAST; j++) {
+            if (l > m + j) {
+                d[j] = SHI_FMA((step * r[j]) * t, p[j], ((back - SHI_C(j)) * r[j]) * d[j]);
+                p[j] = p[j] + d[j];
+            }
+        }
+        swap = side[0];
+        side[0] = side[1];
+        side[1] = swap;
+    }
+}
+SHI_KERNEL void SHI_BN(shi_column)(int m, int n, const SHI_V a[3], SHI_V (*column)[SHI_COLUMN])
+{
+    if (m % SHI_ABREAST == 0 && m < n) SHI_KN(shi_columns)(m, n, a, column + m % SHI_RING);
+}
+#endif
 
 /* y[N], `stride` elements from one coefficient to the next */
 SHI_KERNEL void SHI_BN(shi_values)(int n, int single, const SHI_V u[4], SHI_T *y, int stride)
 {
-    SHI_V a[3], q[SHI_COLUMN], c[SHI_COLUMN], s[SHI_COLUMN];
+    SHI_V a[3], column[SHI_RING][SHI_COLUMN], c[SHI_COLUMN], s[SHI_COLUMN];
     int l, m;
     SHI_BN(shi_polar)(u, a);
-    SHI_BN(shi_column)(0, n, a, q);
+    SHI_BN(shi_column)(0, n, a, column);
     SHI_LOOP
-    for (l = 0; l < n; l++) SHI_PUT(y + (l * l + l) * stride, q[l], single);
+    for (l = 0; l < n; l++) SHI_PUT(y + (l * l + l) * stride, column[0][l], single);
     SHI_LOOP
     for (m = 1; m < n; m++) {
+        const SHI_V *const q = column[m % SHI_RING];
         SHI_KN(shi_power)(m, u, c, s);
-        SHI_BN(shi_column)(m, n, a, q);
+        SHI_BN(shi_column)(m, n, a, column);
         SHI_LOOP
         for (l = m; l < n; l++) {
             SHI_T *const at = y + (l * l + l) * stride;
@@ -1812,16 +1850,16 @@ SHI_KERNEL void SHI_BN(shi_gradient)(int n, int single, const SHI_V u[4], SHI_V 
 {
     const SHI_V z = u[2], xi = -u[0] * i, vi = -u[1] * i, zero = SHI_SPLAT(0);
     SHI_T *const gx = g, *const gy = gx + n * n * stride, *const gz = gy + n * n * stride;
-    SHI_V a[3], column[2][SHI_COLUMN], c[SHI_COLUMN], s[SHI_COLUMN];
+    SHI_V a[3], column[SHI_RING][SHI_COLUMN], c[SHI_COLUMN], s[SHI_COLUMN];
     int l, m;
     SHI_BN(shi_polar)(u, a);
-    SHI_BN(shi_column)(0, n, a, column[0]);
+    SHI_BN(shi_column)(0, n, a, column);
     SHI_LOOP
     for (m = 0; m < n; m++) {
-        const SHI_V *const q0 = column[m & 1], *const q1 = column[(m + 1) & 1];
+        const SHI_V *const q0 = column[m % SHI_RING], *const q1 = column[(m + 1) % SHI_RING];
         const SHI_V mi = SHI_C(-m) * i, mc = mi * (m ? c[m - 1] : zero), ms = mi * (m ? s[m - 1] : zero);
         SHI_V ic, is, xc, xs, vc, vs;
-        SHI_BN(shi_column)(m + 1, n, a, column[(m + 1) & 1]);
+        SHI_BN(shi_column)(m + 1, n, a, column);
         SHI_KN(shi_power)(m, u, c, s);
         ic = i * c[m];
         is = i * s[m];
@@ -1884,19 +1922,20 @@ SHI_KERNEL void SHI_BN(shi_hessian)(int n, int single, const SHI_V u[4], SHI_V i
 {
     const int plane = n * n * stride, g_plane = n * n * g_stride;
     const SHI_V z = u[2], zero = SHI_SPLAT(0);
-    SHI_V a[3], column[3][SHI_COLUMN], c[SHI_COLUMN], s[SHI_COLUMN];
+    SHI_V a[3], column[SHI_RING][SHI_COLUMN], c[SHI_COLUMN], s[SHI_COLUMN];
     int l, m;
     SHI_BN(shi_polar)(u, a);
-    SHI_BN(shi_column)(0, n, a, column[0]);
-    SHI_BN(shi_column)(1, n, a, column[1]);
+    SHI_BN(shi_column)(0, n, a, column);
+    SHI_BN(shi_column)(1, n, a, column);
     SHI_LOOP
     for (m = 0; m < n; m++) {
-        const SHI_V *const q0 = column[m % 3], *const q1 = column[(m + 1) % 3], *const q2 = column[(m + 2) % 3];
+        const SHI_V *const q0 = column[m % SHI_RING], *const q1 = column[(m + 1) % SHI_RING];
+        const SHI_V *const q2 = column[(m + 2) % SHI_RING];
         const SHI_T m1 = SHI_C(m), m2 = SHI_C(m * (m - 1));
         const SHI_V c1 = m > 0 ? c[m - 1] : zero, s1 = m > 0 ? s[m - 1] : zero;
         const SHI_V c2 = m > 1 ? c[m - 2] : zero, s2 = m > 1 ? s[m - 2] : zero;
         SHI_V cosine[5], sine[5];
-        SHI_BN(shi_column)(m + 2, n, a, column[(m + 2) % 3]);
+        SHI_BN(shi_column)(m + 2, n, a, column);
         SHI_KN(shi_power)(m, u, c, s);
         cosine[0] = c[m];
         cosine[1] = sine[2] = -m1 * c1;
