@@ -413,6 +413,28 @@ SHI_KERNEL void  SHI_PUT(SHI_T *p, SHI_V v, int single)    /* all lanes, or the 
     else memcpy(p, &v, sizeof v);
 }
 SHI_KERNEL SHI_M SHI_BITS_OF(SHI_V v)              { SHI_M m; memcpy(&m, &v, sizeof m); return m; }
+SHI_KERNEL SHI_V SHI_KN(shi_orders)(void)           /* 0 1 2 ... */
+{
+    static const SHI_T m[16] = { 0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15 };
+    return SHI_LOAD(m);
+}
+SHI_KERNEL SHI_V SHI_KN(shi_reverse)(SHI_V v)
+{
+#if SHI_LANES == 1
+    return v;
+#elif defined(SHI_SHUFFLE) && SHI_LANES == 2
+    return __builtin_shufflevector(v, v, 1, 0);
+#elif defined(SHI_SHUFFLE) && SHI_LANES == 4
+    return __builtin_shufflevector(v, v, 3, 2, 1, 0);
+#elif defined(SHI_SHUFFLE) && SHI_LANES == 8
+    return __builtin_shufflevector(v, v, 7, 6, 5, 4, 3, 2, 1, 0);
+#else
+    SHI_V r = v;
+    int i;
+    for (i = 0; i < SHI_W; i++) r[i] = v[SHI_W - 1 - i];
+    return r;
+#endif
+}
 #if SHI_LANES == 1
 SHI_KERNEL SHI_V SHI_SPLAT(SHI_T s)                { return s; }
 SHI_KERNEL SHI_V SHI_SQRT(SHI_V v)                 { return SHI_LIBM(sqrt)(v); }
@@ -584,7 +606,7 @@ SHI_KERNEL SHI_V SHI_KN(shi_backwards)(SHI_V a, SHI_V b, int k)
     case 0:  return __builtin_shufflevector(a, b, 0, 7, 6, 5);
     case 1:  return __builtin_shufflevector(a, b, 1, 0, 7, 6);
     case 2:  return __builtin_shufflevector(a, b, 2, 1, 0, 7);
-    default: return __builtin_shufflevector(a, b, 3, 2, 1, 0);
+    default: return SHI_KN(shi_reverse)(a);
 #else
     case 0:  return __builtin_shufflevector(a, b, 0, 15, 14, 13, 12, 11, 10, 9);
     case 1:  return __builtin_shufflevector(a, b, 1, 0, 15, 14, 13, 12, 11, 10);
@@ -593,7 +615,7 @@ SHI_KERNEL SHI_V SHI_KN(shi_backwards)(SHI_V a, SHI_V b, int k)
     case 4:  return __builtin_shufflevector(a, b, 4, 3, 2, 1, 0, 15, 14, 13);
     case 5:  return __builtin_shufflevector(a, b, 5, 4, 3, 2, 1, 0, 15, 14);
     case 6:  return __builtin_shufflevector(a, b, 6, 5, 4, 3, 2, 1, 0, 15);
-    default: return __builtin_shufflevector(a, b, 7, 6, 5, 4, 3, 2, 1, 0);
+    default: return SHI_KN(shi_reverse)(a);
 #endif
     }
 }
@@ -622,29 +644,6 @@ SHI_KERNEL void SHI_KN(shi_put_some)(SHI_T *p, SHI_V v, int room, int lanes)
 }
 #endif
 #endif
-
-SHI_KERNEL SHI_V SHI_KN(shi_orders)(void)           /* 0 1 2 ... */
-{
-    static const SHI_T m[16] = { 0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15 };
-    return SHI_LOAD(m);
-}
-SHI_KERNEL SHI_V SHI_KN(shi_reverse)(SHI_V v)
-{
-#if SHI_LANES == 1
-    return v;
-#elif defined(SHI_SHUFFLE) && SHI_LANES == 2
-    return __builtin_shufflevector(v, v, 1, 0);
-#elif defined(SHI_SHUFFLE) && SHI_LANES == 4
-    return __builtin_shufflevector(v, v, 3, 2, 1, 0);
-#elif defined(SHI_SHUFFLE) && SHI_LANES == 8
-    return __builtin_shufflevector(v, v, 7, 6, 5, 4, 3, 2, 1, 0);
-#else
-    SHI_V r = v;
-    int i;
-    for (i = 0; i < SHI_W; i++) r[i] = v[SHI_W - 1 - i];
-    return r;
-#endif
-}
 
 /* a*b + c, rounded once where the target can: wherever a batch must have the bits of single calls, since what the compiler
  * contracts may differ from one inlined copy to the next. Elsewhere contraction is left to it. */
@@ -1650,15 +1649,13 @@ SHI_KERNEL SHI_V SHI_KN(shi_load_radiance)(const SHI_T *radiance, size_t count, 
 /* W directions in place of lights: geometry without a profile. Returns 0 if one is out of range */
 SHI_KERNEL int SHI_KN(shi_sample_geometry)(const SHI_T *dirs, size_t count, size_t first, SHI_V *z, SHI_KN(shi_light) *o)
 {
-    const int lanes = count - first < SHI_W ? (int)(count - first) : SHI_W;
-    SHI_V v[3], u[4];
-    int ok;
-    SHI_KN(shi_load3)(dirs + 3 * first, lanes, v);
-    ok = SHI_KN(shi_unit)(v, 0, u, &o->inverse);
-    o->x = -u[0];
-    o->y = -u[1];
-    *z = u[2];
-    return ok;
+    SHI_KN(shi_direction) d;
+    SHI_KN(shi_direct_plain)(dirs + 3 * first, count - first, &d);
+    o->inverse = d.inverse;
+    o->x = -d.u[0];
+    o->y = -d.u[1];
+    *z = d.u[2];
+    return d.good;
 }
 
 /* moments[channels][kinds][levels^2] of all lights at a point (`point`, spheres), or of weighted directions (point
