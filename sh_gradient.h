@@ -167,7 +167,8 @@ enum {
 #define SHI_ABREAST 4                                   /* columns computed at once beyond; twice as many are kept */
 #define SHI_ROWS(l, m) ((l) * ((l) + 1) / 2 + (m))      /* index into tables by band and m */
 
-#define SHI_HORNER(l, m, k) (SHI_FN(shi_horner)[SHI_FN(shi_horner_row)[l] + (k) * ((l) + 2) + (m)])
+#define SHI_LINE 100                                    /* coefficients of that many bands */
+#define SHI_HORNER(l, m, k) (SHI_FN(shi_horner)[(k) * SHI_LINE + (l) * ((l) + 1) + (m)])
 /* index into what shi_horner_form fills */
 #define SHI_FORM_AT(parity, k, sign, m) ((((parity) * (SHI_POLYNOMIAL_BANDS / 2) + (k)) * 2 + (sign)) * 16 + (m))
 
@@ -212,6 +213,14 @@ SHI_INLINE int shi_overlap(const void *a, size_t a_bytes, const void *b, size_t 
     const char *p = (const char *)a, *q = (const char *)b;
     return p && q && p < q + b_bytes && q < p + a_bytes;
 }
+
+/* band and order of coefficient i, of the first 10 bands: constants where loops are unrolled */
+SHI_INLINE int shi_band_at(int i)
+{
+    return (i >= 1) + (i >= 4) + (i >= 9) + (i >= 16) + (i >= 25) + (i >= 36) + (i >= 49) + (i >= 64) + (i >= 81);
+}
+SHI_INLINE int shi_order_at(int i) { return i - shi_band_at(i) * (shi_band_at(i) + 1); }
+SHI_INLINE int shi_abs_order_at(int i) { return shi_order_at(i) < 0 ? -shi_order_at(i) : shi_order_at(i); }
 
 #define SHI_FILE SH_GRADIENT_FILENAME
 #define SHI_ROOM SHI_INSTANTIATE
@@ -441,11 +450,13 @@ SHI_KERNEL SHI_V SHI_SQRT(SHI_V v)                 { return SHI_LIBM(sqrt)(v); }
 SHI_KERNEL SHI_V SHI_ABS(SHI_V v)                  { return SHI_LIBM(fabs)(v); }
 SHI_KERNEL SHI_V SHI_RSQRT(SHI_V v)                { return SHI_C(1) / SHI_LIBM(sqrt)(v); }
 SHI_KERNEL SHI_V SHI_RSQRT_ROUGHLY(SHI_V v)        { return SHI_RSQRT(v); }
+SHI_KERNEL SHI_T SHI_KN(shi_first)(SHI_V v)        { return v; }
 SHI_KERNEL SHI_T SHI_SUM(SHI_V v)                  { return v; }
 SHI_KERNEL int   SHI_ANY(SHI_M m)                  { return m != 0; }
 SHI_KERNEL SHI_V SHI_KEEP(SHI_V v)                 { return v; }
 #else
 SHI_KERNEL SHI_V SHI_SPLAT(SHI_T s)                { SHI_V v; memset(&v, 0, sizeof v); return s - v; }
+SHI_KERNEL SHI_T SHI_KN(shi_first)(SHI_V v)        { return v[0]; }
 SHI_KERNEL SHI_V SHI_ABS(SHI_V v)
 {
     const SHI_M m = SHI_BITS_OF(v) & (SHI_I)(((unsigned long long)1 << (SHI_BITS - 1)) - 1);
@@ -585,62 +596,51 @@ SHI_KERNEL void SHI_KN(shi_zip)(SHI_V a, SHI_V b, SHI_V *lo, SHI_V *hi)
     }
 #endif
 }
-/* for one direction with its orders m in the lanes */
+/* for one direction with its coefficients in the lanes: lane numbers come from loops, and are constants once those are
+ * unrolled */
 #if defined(SHI_SHUFFLE) && defined(SHI_MANY_LANES) && SHI_LANES >= 4
 #define SHI_LINES
-SHI_KERNEL SHI_M SHI_KN(shi_orders_like)(int bits, int value)  /* mask of the orders with m & bits = value */
+/* lane i: of a and b side by side, lane from[i] */
+SHI_KERNEL SHI_V SHI_KN(shi_choose)(SHI_V a, SHI_V b, SHI_M from)
 {
-    SHI_I m[SHI_W];
-    SHI_M mask;
+#if !defined(__clang__)
+    return __builtin_shuffle(a, b, from);
+#elif defined(__AVX512VL__) && SHI_BYTES == 32 && SHI_BITS == 32        /* else clang makes long chains of blends */
+    return __builtin_ia32_vpermi2varps256(a, from, b);
+#elif defined(__AVX512VL__) && SHI_BYTES == 32
+    return __builtin_ia32_vpermi2varpd256(a, from, b);
+#else
+    SHI_V v = a;
     int i;
     SHI_UNROLL
-    for (i = 0; i < SHI_W; i++) m[i] = (i & bits) == value ? -1 : 0;
-    memcpy(&mask, m, sizeof mask);
-    return mask;
-}
-/* lanes k, k-1, ..., 0 of a, then those of b from the last down */
-SHI_KERNEL SHI_V SHI_KN(shi_backwards)(SHI_V a, SHI_V b, int k)
-{
-    switch (k) {
-#if SHI_LANES == 4
-    case 0:  return __builtin_shufflevector(a, b, 0, 7, 6, 5);
-    case 1:  return __builtin_shufflevector(a, b, 1, 0, 7, 6);
-    case 2:  return __builtin_shufflevector(a, b, 2, 1, 0, 7);
-    default: return SHI_KN(shi_reverse)(a);
-#else
-    case 0:  return __builtin_shufflevector(a, b, 0, 15, 14, 13, 12, 11, 10, 9);
-    case 1:  return __builtin_shufflevector(a, b, 1, 0, 15, 14, 13, 12, 11, 10);
-    case 2:  return __builtin_shufflevector(a, b, 2, 1, 0, 15, 14, 13, 12, 11);
-    case 3:  return __builtin_shufflevector(a, b, 3, 2, 1, 0, 15, 14, 13, 12);
-    case 4:  return __builtin_shufflevector(a, b, 4, 3, 2, 1, 0, 15, 14, 13);
-    case 5:  return __builtin_shufflevector(a, b, 5, 4, 3, 2, 1, 0, 15, 14);
-    case 6:  return __builtin_shufflevector(a, b, 6, 5, 4, 3, 2, 1, 0, 15);
-    default: return SHI_KN(shi_reverse)(a);
-#endif
-    }
-}
-/* the last lane of a, then those of b */
-SHI_KERNEL SHI_V SHI_KN(shi_shift_in)(SHI_V a, SHI_V b)
-{
-#if SHI_LANES == 4
-    return __builtin_shufflevector(a, b, 3, 4, 5, 6);
-#else
-    return __builtin_shufflevector(a, b, 7, 8, 9, 10, 11, 12, 13, 14);
+    for (i = 0; i < SHI_W; i++) v[i] = from[i] < SHI_W ? a[from[i] & (SHI_W - 1)] : b[from[i] & (SHI_W - 1)];
+    return v;
 #endif
 }
-/* the first `lanes` of v, or more if there is room for a register */
-SHI_KERNEL void SHI_KN(shi_put_some)(SHI_T *p, SHI_V v, int room, int lanes)
+/* a in the lanes with a flag, b in the others */
+SHI_KERNEL SHI_V SHI_KN(shi_blend)(const int *flags, SHI_V a, SHI_V b)
 {
-    int i = 0;
-    if (room >= SHI_W || lanes >= SHI_W) {
-        memcpy(p, &v, sizeof v);
-        return;
-    }
-#if SHI_BYTES == 32
-    if (lanes >= SHI_W / 2) memcpy(p, &v, sizeof v / 2), i = SHI_W / 2;
-#endif
+    SHI_I lane[SHI_W];
+    SHI_M m;
+    int i;
     SHI_UNROLL
-    for (; i < lanes; i++) p[i] = v[i];
+#if defined(__clang__)
+    for (i = 0; i < SHI_W; i++) lane[i] = flags[i] ? -1 : 0;
+    memcpy(&m, lane, sizeof m);
+    return SHI_SELECT(m, a, b);
+#else
+    for (i = 0; i < SHI_W; i++) lane[i] = flags[i] ? i : SHI_W + i;
+    memcpy(&m, lane, sizeof m);
+    return SHI_KN(shi_choose)(a, b, m);
+#endif
+}
+/* a in the lanes i with i & bits = value, b in the others */
+SHI_KERNEL SHI_V SHI_KN(shi_where)(int bits, int value, SHI_V a, SHI_V b)
+{
+    int flags[SHI_W], i;
+    SHI_UNROLL
+    for (i = 0; i < SHI_W; i++) flags[i] = (i & bits) == value;
+    return SHI_KN(shi_blend)(flags, a, b);
 }
 #endif
 #endif
@@ -765,6 +765,7 @@ SHI_KERNEL int SHI_KN(shi_in_range)(SHI_V v, SHI_T lo, SHI_T hi)
     return !SHI_ANY(SHI_KN(shi_out_of)(v, lo, hi));
 }
 
+
 /* |v|^2 - 1, and x^2 + y^2 */
 SHI_KERNEL SHI_V SHI_KN(shi_excess)(const SHI_V v[3], SHI_V *r2)
 {
@@ -795,7 +796,8 @@ SHI_KERNEL int SHI_KN(shi_unit)(const SHI_V v[3], int alone, SHI_V u[4], SHI_V *
 {
     SHI_V r2;
     const SHI_V e = SHI_KN(shi_excess)(v, &r2), off = SHI_ABS(e);
-    if (SHI_RARELY(!SHI_KN(shi_in_range)(off, 0, SHI_NEAR))) {
+    const int is_near = alone ? SHI_ONE(shi_in_range)(SHI_KN(shi_first)(off), 0, SHI_NEAR) : SHI_KN(shi_in_range)(off, 0, SHI_NEAR);
+    if (SHI_RARELY(!is_near)) {
         const SHI_M near = alone ? SHI_BITS_OF(SHI_SPLAT(0)) : (SHI_M)(off <= SHI_SPLAT(SHI_NEAR));
         const SHI_V length2 = SHI_FMA(v[2], v[2], r2), scale = SHI_SELECT(near, SHI_SPLAT(1), SHI_RSQRT_ROUGHLY(length2));
         SHI_V w[3], left;
@@ -804,7 +806,8 @@ SHI_KERNEL int SHI_KN(shi_unit)(const SHI_V v[3], int alone, SHI_V u[4], SHI_V *
         w[2] = v[2] * scale;
         left = SHI_KN(shi_excess)(w, &r2);
         *inverse = SHI_FMA(scale, SHI_KN(shi_polish)(w, left, r2, &near, u), scale);
-        return SHI_KN(shi_in_range)(length2, SHI_MIN2, SHI_MAX2);
+        return alone ? SHI_ONE(shi_in_range)(SHI_KN(shi_first)(length2), SHI_MIN2, SHI_MAX2)
+                     : SHI_KN(shi_in_range)(length2, SHI_MIN2, SHI_MAX2);
     }
     *inverse = SHI_C(1) + SHI_KN(shi_polish)(v, e, r2, NULL, u);
     return 1;
@@ -1134,37 +1137,44 @@ SHI_NOINLINE int SHI_KN(shi_angles)(int n, size_t count, const SHI_T *theta, con
     return status;
 }
 
-#if defined(SHI_LINES)
-SHI_KERNEL int SHI_KN(shi_one_beyond)(int n, int planes, const SHI_T *v, SHI_T *y, SHI_T *g)
+/* the looped bodies, for one; apart, or the short bodies would set up their stack too */
+SHI_NOINLINE int SHI_KN(shi_single_any)(int n, int planes, const SHI_T v[3], SHI_T *y, int ys, SHI_T *g, int gs, SHI_T *h, int hs)
 {
-    return SHI_KN(shi_one_any)(n, planes, v, y, 1, g, planes == SH_GRADIENT, g, 0);
+    return planes == SH_VALUES   ? SHI_KN(shi_one_any)(n, SH_VALUES, v, y, ys, g, 0, h, 0)
+         : planes == SH_GRADIENT ? SHI_KN(shi_one_any)(n, SH_GRADIENT, v, y, ys, g, gs, h, 0)
+                                 : SHI_KN(shi_one_any)(n, SH_HESSIAN, v, y, ys, g, gs, h, hs);
 }
-#define SHI_SINGLE(planes, y, g) SHI_BANDS(n, SHI_KN(shi_one_line), SHI_KN(shi_one_beyond), planes, v, y, g)
-#else
-#define SHI_SINGLE(planes, y, g) \
-    SHI_BANDS(n, SHI_KN(shi_one_fixed), SHI_KN(shi_one_any), planes, v, y, 1, g, planes == SH_GRADIENT, g, 0)
+SHI_KERNEL int SHI_KN(shi_single_beyond)(int n, int planes, const SHI_T *v, SHI_T *y, SHI_T *g)
+{
+    return SHI_KN(shi_single_any)(n, planes, v, y, 1, g, planes == SH_GRADIENT, g, 0);
+}
+#if !defined(SHI_LINES)
+SHI_KERNEL int SHI_KN(shi_one_line)(int n, int planes, const SHI_T *v, SHI_T *y, SHI_T *g)
+{
+    return SHI_KN(shi_one_fixed)(n, planes, v, y, 1, g, planes == SH_GRADIENT, g, 0);
+}
 #endif
 SHI_NOINLINE int SHI_KN(shi_single_values)(int n, const SHI_T v[3], SHI_T *y)
 {
-    SHI_SINGLE(SH_VALUES, y, y)
+    SHI_BANDS(n, SHI_KN(shi_one_line), SHI_KN(shi_single_beyond), SH_VALUES, v, y, y)
 }
 SHI_NOINLINE int SHI_KN(shi_single_both)(int n, const SHI_T v[3], SHI_T *y, SHI_T *g)
 {
-    SHI_SINGLE(SH_GRADIENT, y, g)
+    SHI_BANDS(n, SHI_KN(shi_one_line), SHI_KN(shi_single_beyond), SH_GRADIENT, v, y, g)
 }
-#undef SHI_SINGLE
+/* y or g may be NULL */
 SHI_NOINLINE int SHI_KN(shi_single_gradient)(int n, const SHI_T v[3], SHI_T *y, SHI_T *g)
 {
     SHI_T discard[3 * SH_UNROLLED_BANDS * SH_UNROLLED_BANDS];
     if (n > SH_UNROLLED_BANDS)
-        return SHI_KN(shi_one_any)(n, SH_GRADIENT, v, y ? y : discard, y != NULL, g ? g : discard, g != NULL, discard, 0);
+        return SHI_KN(shi_single_any)(n, SH_GRADIENT, v, y ? y : discard, y != NULL, g ? g : discard, g != NULL, discard, 0);
     return SHI_KN(shi_single_both)(n, v, y ? y : discard, g ? g : discard);
 }
 SHI_NOINLINE int SHI_KN(shi_single_hessian)(int n, const SHI_T v[3], SHI_T *y, SHI_T *g, SHI_T *h)
 {
     SHI_T discard;
-    return SHI_KN(shi_one_any)(n, SH_HESSIAN, v, y ? y : &discard, y != NULL, g ? g : &discard, g != NULL, h ? h : &discard,
-                               h != NULL);
+    return SHI_KN(shi_single_any)(n, SH_HESSIAN, v, y ? y : &discard, y != NULL, g ? g : &discard, g != NULL, h ? h : &discard,
+                                  h != NULL);
 }
 
 /* ---- sum c_i Y_i at W directions, the basis never stored ----
@@ -2059,53 +2069,39 @@ SHI_KERNEL void SHI_BN(shi_angles)(int n, SHI_V ct, SHI_V st, SHI_V cp, SHI_V sp
 }
 
 #if SHI_FIXED && defined(SHI_LINES)
-/* v0 of lanes m = 0, 1, ... of row l: to out[l + m]; v1 to out[l - m], m > 0. `room` elements from out may be
- * written: the garbage of lanes past l falls where the next row, or the other half, comes later */
-SHI_KERNEL void SHI_KN(shi_put_row)(int l, const SHI_V *v0, const SHI_V *v1, SHI_T *out, int room)
+/* One direction with its coefficients 1, 2, ... in the lanes, register k from the index shi_line_at on: the last
+ * overlaps the one before if it can */
+#define SHI_LINE_REGISTERS ((SHI_LINE - 2) / SHI_W + 1)
+#define SHI_ORDER_REGISTERS ((SHI_POLYNOMIAL_BANDS - 1) / SHI_W + 1)
+SHI_KERNEL int SHI_KN(shi_line_at)(int n, int k)
 {
-    const int registers = l / SHI_W + 1, last = registers - 1;
-    int r;
-    SHI_UNROLL
-    for (r = 0; r < registers; r++)
-        SHI_KN(shi_put_some)(out + r * SHI_W, SHI_KN(shi_backwards)(v1[last - r], v1[r < last ? last - r - 1 : 0], l % SHI_W),
-                             room - r * SHI_W, l - r * SHI_W);
-    SHI_UNROLL
-    for (r = 0; r < registers; r++)
-        SHI_KN(shi_put_some)(out + l + r * SHI_W, v0[r], room - l - r * SHI_W, l + 1 - r * SHI_W);
+    const int at = 1 + k * SHI_W, last = n * n - SHI_W;
+    return at > last && last > 0 ? last : at;
+}
+SHI_KERNEL void SHI_KN(shi_put_line)(int n, int at, SHI_V v, SHI_T *out)
+{
+    int i;
+    if (at + SHI_W <= n * n) SHI_STORE(out + at, v);
+    else for (i = 0; i < n * n - at; i++) out[at + i] = v[i];
 }
 
-/* One direction, its orders m in the lanes: row by row, what shi_values and shi_gradient give, to the bit.
- * y[N] and, if planes say so, g[3][N]; returns 0, and writes nothing, when the direction is out of range */
-SHI_KERNEL int SHI_KN(shi_one_line)(int n, int planes, const SHI_T d[3], SHI_T *y, SHI_T *g)
+/* c[], s[] = U_m, V_m of orders m = 0, 1, ..., as in shi_power */
+SHI_KERNEL void SHI_KN(shi_line_powers)(int n, const SHI_V u[4], SHI_V *c, SHI_V *s)
 {
-    enum { REGISTERS = (SHI_POLYNOMIAL_BANDS - 1) / SHI_W + 1 };
-    const SHI_V zero = SHI_SPLAT(0), one = SHI_SPLAT(1), order = SHI_KN(shi_orders)();
-    SHI_V v[3], u[4], i, odd[2], c[REGISTERS], s[REGISTERS];
-    SHI_V hc[SHI_POLYNOMIAL_BANDS], hs[SHI_POLYNOMIAL_BANDS];       /* U, V of powers of two, all lanes */
-    SHI_V xc[REGISTERS], xs[REGISTERS], vc[REGISTERS], vs[REGISTERS];
-    SHI_V ic[REGISTERS], is[REGISTERS], mc[REGISTERS], ms[REGISTERS];
-    const SHI_M upper = (SHI_M)(order != zero), parity = SHI_KN(shi_orders_like)(1, 1);
-    int l, r, k, h;
-    v[0] = SHI_KEEP(SHI_SPLAT(d[0]));           /* or gcc multiplies before it spreads */
-    v[1] = SHI_KEEP(SHI_SPLAT(d[1]));
-    v[2] = SHI_KEEP(SHI_SPLAT(d[2]));
-    if (!SHI_KN(shi_unit)(v, 1, u, &i)) return 0;
-    odd[0] = SHI_SELECT(parity, u[2], one);                     /* z where l-m is odd, for even l; for odd l */
-    odd[1] = SHI_SELECT(parity, one, u[2]);
-    /* powers, as in shi_power */
+    SHI_V hc[SHI_POLYNOMIAL_BANDS], hs[SHI_POLYNOMIAL_BANDS];       /* of powers of two, in all lanes */
+    int r, h;
     hc[1] = -u[0];
     hs[1] = -u[1];
     SHI_UNROLL
     for (h = 2; h < n; h *= 2) SHI_KN(shi_square)(hc[h / 2], hs[h / 2], &hc[h], &hs[h]);
-    c[0] = SHI_SELECT(parity, hc[1], one);
-    s[0] = SHI_SELECT(parity, hs[1], zero);
+    c[0] = SHI_KN(shi_where)(1, 1, hc[1], SHI_SPLAT(1));
+    s[0] = SHI_KN(shi_where)(1, 1, hs[1], SHI_SPLAT(0));
     SHI_UNROLL
     for (h = 2; h < n && h < SHI_W; h *= 2) {
         SHI_V tc = c[0], ts = s[0];
-        const SHI_M has = SHI_KN(shi_orders_like)(h, h), is_h = SHI_KN(shi_orders_like)(2 * h - 1, h);
         if (h < n - 1) SHI_KN(shi_turn)(hc[h], hs[h], &tc, &ts);
-        c[0] = SHI_SELECT(has, h < n - 1 ? SHI_SELECT(is_h, hc[h], tc) : hc[h], c[0]);
-        s[0] = SHI_SELECT(has, h < n - 1 ? SHI_SELECT(is_h, hs[h], ts) : hs[h], s[0]);
+        c[0] = SHI_KN(shi_where)(2 * h - 1, h, hc[h], SHI_KN(shi_where)(h, h, tc, c[0]));
+        s[0] = SHI_KN(shi_where)(2 * h - 1, h, hs[h], SHI_KN(shi_where)(h, h, ts, s[0]));
     }
     SHI_UNROLL
     for (r = 1; r * SHI_W < n; r++) {
@@ -2114,65 +2110,138 @@ SHI_KERNEL int SHI_KN(shi_one_line)(int n, int planes, const SHI_T d[3], SHI_T *
         s[r] = s[r - top / SHI_W];
         SHI_KN(shi_turn)(hc[top], hs[top], &c[r], &s[r]);
         if (r * SHI_W == top) {
-            c[r] = SHI_SELECT(upper, c[r], hc[top]);
-            s[r] = SHI_SELECT(upper, s[r], hs[top]);
+            c[r] = SHI_KN(shi_where)(SHI_W - 1, 0, hc[top], c[r]);
+            s[r] = SHI_KN(shi_where)(SHI_W - 1, 0, hs[top], s[r]);
         }
-    }
-    y[0] = SHI_HORNER(0, 0, 0);
-    if (planes == SH_GRADIENT) {
-        const SHI_V xi = -u[0] * i, vi = -u[1] * i;
-        SHI_UNROLL
-        for (r = 0; r * SHI_W < n; r++) {
-            const SHI_V m = r ? order + SHI_SPLAT(SHI_C(r * SHI_W)) : order;
-            const SHI_V c1 = SHI_KN(shi_shift_in)(r ? c[r - 1] : zero, c[r]);
-            const SHI_V s1 = SHI_KN(shi_shift_in)(r ? s[r - 1] : zero, s[r]);
-            xc[r] = xi * c[r];
-            xs[r] = xi * s[r];
-            vc[r] = vi * c[r];
-            vs[r] = vi * s[r];
-            ic[r] = i * c[r];
-            is[r] = i * s[r];
-            mc[r] = ((zero - m) * i) * c1;                      /* +0 for m = 0 */
-            ms[r] = (m * i) * s1;
-        }
-        g[0] = g[n * n] = g[2 * n * n] = 0;
     }
     SHI_UNROLL
-    for (l = 1; l < n; l++) {
-        const SHI_T *const row = SHI_FN(shi_horner) + SHI_FN(shi_horner_row)[l];
-        const int room = n * n - l * l;
-        SHI_V out[4][2][REGISTERS];
+    for (r = 0; r * SHI_W < n; r++) {           /* or clang sees through them and takes lanes one by one */
+        c[r] = SHI_KEEP(c[r]);
+        s[r] = SHI_KEEP(s[r]);
+    }
+}
+/* of order m - 1 for orders m in register r; order 0 its own */
+SHI_KERNEL SHI_V SHI_KN(shi_line_before)(int r, const SHI_V *c)
+{
+    SHI_I lane[SHI_W];
+    SHI_M from;
+    int i;
+    SHI_UNROLL
+    for (i = 0; i < SHI_W; i++) lane[i] = i ? SHI_W + i - 1 : r ? SHI_W - 1 : 0;
+    memcpy(&from, lane, sizeof from);
+    return SHI_KN(shi_choose)(c[r ? r - 1 : 0], c[r], from);
+}
+/* to coefficients from orders: u[m] or, m < 0, v[-m] */
+SHI_KERNEL SHI_V SHI_KN(shi_line_spread)(int n, int k, const SHI_V *u, const SHI_V *v)
+{
+    const int at = SHI_KN(shi_line_at)(n, k), top = at + SHI_W <= n * n ? shi_band_at(at + SHI_W - 1) : n - 1;
+    SHI_I lane[SHI_W];
+    SHI_M from;
+    SHI_V out;
+    int beyond[SHI_W], r, i;
+    SHI_UNROLL
+    for (i = 0; i < SHI_W; i++) lane[i] = shi_abs_order_at(at + i) % SHI_W + (shi_order_at(at + i) < 0 ? SHI_W : 0);
+    memcpy(&from, lane, sizeof from);
+    out = SHI_KN(shi_choose)(u[0], v[0], from);
+    SHI_UNROLL
+    for (r = 1; r * SHI_W <= top; r++) {
         SHI_UNROLL
-        for (r = 0; r * SHI_W <= l; r++) {
-            SHI_V q = SHI_LOAD(row + l / 2 * (l + 2) + r * SHI_W);
-            SHI_UNROLL
-            for (k = l / 2 - 1; k >= 0; k--) q = SHI_FMA(q, u[3], SHI_LOAD(row + k * (l + 2) + r * SHI_W));
-            q = q * odd[l & 1];
-            out[0][0][r] = q * c[r];
-            out[0][1][r] = q * s[r];
-            if (planes == SH_GRADIENT) {
-                SHI_V e = SHI_LOAD(row + (l - 1) / 2 * (l + 2) + r * SHI_W + 1), b, qm, qc, qs;
-                SHI_UNROLL
-                for (k = (l - 1) / 2 - 1; k >= 0; k--) e = SHI_FMA(e, u[3], SHI_LOAD(row + k * (l + 2) + r * SHI_W + 1));
-                e = SHI_LOAD(SHI_FN(shi_slope) + SHI_ROWS(l, r * SHI_W)) * (e * odd[(l + 1) & 1]);
-                if (r == 0) q = SHI_SELECT(upper, q, zero);     /* as shi_gradient does without these terms */
-                qm = (r ? order + SHI_SPLAT(SHI_C(r * SHI_W)) : order) * q;
-                qc = q * mc[r];
-                qs = q * ms[r];
-                b = SHI_FMA(u[2], e, qm);
-                e = SHI_FMA(-u[2], b, e);
-                out[1][0][r] = SHI_FMA(xc[r], b, qc);
-                out[1][1][r] = SHI_FMA(xs[r], b, -qs);
-                out[2][0][r] = SHI_FMA(vc[r], b, qs);
-                out[2][1][r] = SHI_FMA(vs[r], b, qc);
-                out[3][0][r] = ic[r] * e;
-                out[3][1][r] = is[r] * e;
-            }
+        for (i = 0; i < SHI_W; i++) beyond[i] = shi_abs_order_at(at + i) >= r * SHI_W;
+        out = SHI_KN(shi_blend)(beyond, SHI_KN(shi_choose)(u[r], v[r], from), out);
+    }
+    return out;
+}
+/* q_l^|m| */
+SHI_KERNEL SHI_V SHI_KN(shi_line_column)(int n, int k, const SHI_V u[4])
+{
+    const int at = SHI_KN(shi_line_at)(n, k), top = at + SHI_W <= n * n ? shi_band_at(at + SHI_W - 1) : n - 1;
+    SHI_V q = SHI_LOAD(&SHI_HORNER(0, at, top / 2));
+    int odd[SHI_W], i;
+    SHI_UNROLL
+    for (i = top / 2 - 1; i >= 0; i--) q = SHI_FMA(q, u[3], SHI_LOAD(&SHI_HORNER(0, at, i)));
+    SHI_UNROLL
+    for (i = 0; i < SHI_W; i++) odd[i] = (shi_band_at(at + i) - shi_order_at(at + i)) & 1;
+    return q * SHI_KN(shi_blend)(odd, u[2], SHI_SPLAT(1));
+}
+/* from q_l^|m| to q_l^{|m|+1}, which stands at the orders |m|+1 and -|m|-1: in the same register if it can. The last
+ * order, |m| = l, keeps its own, which is positive */
+SHI_KERNEL SHI_V SHI_KN(shi_line_next)(int n, int k, const SHI_V *q)
+{
+    const int at = SHI_KN(shi_line_at)(n, k);
+    SHI_V v = q[k];
+    int r, i;
+    SHI_UNROLL
+    for (r = k - 1; r <= k + 1; r++) {
+        const int start = SHI_KN(shi_line_at)(n, r);
+        SHI_I lane[SHI_W];
+        SHI_M from;
+        int any = 0;
+        SHI_UNROLL
+        for (i = 0; i < SHI_W; i++) {
+            const int l = shi_band_at(at + i), m = shi_abs_order_at(at + i), up = l * (l + 1) + m + 1, down = up - 2 * m - 2;
+            const int here = (up >= at && up < at + SHI_W) || (down >= at && down < at + SHI_W);
+            const int near = up >= start && up < start + SHI_W ? up : down;
+            const int has = r >= 0 && 1 + r * SHI_W < n * n && m < l && near >= start && near < start + SHI_W && (r == k || !here);
+            lane[i] = has ? SHI_W + near - start : i;
+            any |= has;
         }
-        SHI_KN(shi_put_row)(l, out[0][0], out[0][1], y + l * l, room);
+        memcpy(&from, lane, sizeof from);
+        if (any) v = SHI_KN(shi_choose)(v, q[r], from);
+    }
+    return v;
+}
+
+/* What shi_values and shi_gradient give, to the bit: y[N] and, if planes say so, g[3][N]. Returns 0, and writes
+ * nothing, when the direction is out of range */
+SHI_KERNEL int SHI_KN(shi_one_line)(int n, int planes, const SHI_T d[3], SHI_T *y, SHI_T *g)
+{
+    SHI_V v[3], u[4], i, q[SHI_LINE_REGISTERS], c[SHI_ORDER_REGISTERS], s[SHI_ORDER_REGISTERS];
+    SHI_V ux[SHI_ORDER_REGISTERS], uy[SHI_ORDER_REGISTERS], vx[SHI_ORDER_REGISTERS];     /* dU/dx = dV/dy, dU/dy, dV/dx */
+    int r, k, j;
+    v[0] = SHI_KEEP(SHI_SPLAT(d[0]));           /* or gcc multiplies before it spreads */
+    v[1] = SHI_KEEP(SHI_SPLAT(d[1]));
+    v[2] = SHI_KEEP(SHI_SPLAT(d[2]));
+    if (!SHI_KN(shi_unit)(v, 1, u, &i)) return 0;
+    SHI_KN(shi_line_powers)(n, u, c, s);
+    y[0] = SHI_HORNER(0, 0, 0);
+    if (planes == SH_GRADIENT) {
+        g[0] = g[n * n] = g[2 * n * n] = 0;
         SHI_UNROLL
-        for (k = 1; k < 4 && planes == SH_GRADIENT; k++)
-            SHI_KN(shi_put_row)(l, out[k][0], out[k][1], g + (k - 1) * n * n + l * l, room);
+        for (r = 0; r * SHI_W < n; r++) {
+            SHI_T plus[SHI_W], minus[SHI_W];
+            SHI_UNROLL
+            for (j = 0; j < SHI_W; j++) {
+                plus[j] = SHI_C(r * SHI_W + j);
+                minus[j] = SHI_C(-r * SHI_W - j);
+            }
+            ux[r] = (SHI_LOAD(minus) * i) * SHI_KN(shi_line_before)(r, c);
+            uy[r] = (SHI_LOAD(plus) * i) * SHI_KN(shi_line_before)(r, s);
+            vx[r] = -uy[r];
+        }
+    }
+    SHI_UNROLL
+    for (k = 0; 1 + k * SHI_W < n * n; k++) q[k] = SHI_KN(shi_line_column)(n, k, u);
+    SHI_UNROLL
+    for (k = 0; 1 + k * SHI_W < n * n; k++) {
+        const int at = SHI_KN(shi_line_at)(n, k);
+        const SHI_V f = SHI_KN(shi_line_spread)(n, k, c, s);
+        SHI_KN(shi_put_line)(n, at, q[k] * f, y);
+        if (planes == SH_GRADIENT) {
+            const SHI_V e = SHI_LOAD(SHI_FN(shi_line_slope) + at) * SHI_KN(shi_line_next)(n, k, q);
+            SHI_T order[SHI_W];
+            SHI_V b, sloped;
+            int zonal[SHI_W];
+            SHI_UNROLL
+            for (j = 0; j < SHI_W; j++) {
+                zonal[j] = shi_order_at(at + j) == 0;
+                order[j] = SHI_C(shi_abs_order_at(at + j));
+            }
+            sloped = SHI_KN(shi_blend)(zonal, SHI_SPLAT(0), q[k]);       /* shi_gradient has no such terms for m = 0 */
+            b = SHI_FMA(u[2], e, SHI_LOAD(order) * sloped);
+            SHI_KN(shi_put_line)(n, at, SHI_FMA((-u[0] * i) * f, b, sloped * SHI_KN(shi_line_spread)(n, k, ux, vx)), g);
+            SHI_KN(shi_put_line)(n, at, SHI_FMA((-u[1] * i) * f, b, sloped * SHI_KN(shi_line_spread)(n, k, uy, ux)), g + n * n);
+            SHI_KN(shi_put_line)(n, at, (i * f) * SHI_FMA(-u[2], b, e), g + 2 * n * n);
+        }
     }
     return 1;
 }
@@ -2228,9 +2297,7 @@ SHI_NOINLINE int SHI_FN(shi_one_by_one)(int n, int planes, size_t count, const S
     for (p = 0; p < count; p++, dirs += next, y += y_next, g += g_next, h += h_next) {
         SHI_T v[3];
         for (k = 0; k < 3; k++) v[k] = dirs[k * axis];
-        if (direct && planes == SH_VALUES) ok = SHI_MANY(shi_one_any)(n, SH_VALUES, v, y, ys, g, 0, h, 0);
-        else if (direct && planes == SH_GRADIENT) ok = SHI_MANY(shi_one_any)(n, SH_GRADIENT, v, y, ys, g, gs, h, 0);
-        else if (direct) ok = SHI_MANY(shi_one_any)(n, SH_HESSIAN, v, y, ys, g, gs, h, hs);
+        if (direct) ok = SHI_MANY(shi_single_any)(n, planes, v, y, ys, g, gs, h, hs);
         else ok = planes == SH_VALUES ? SHI_MANY(shi_single_values)(n, v, t) : SHI_MANY(shi_single_both)(n, v, t, t + size);
         if (!ok) status = SHI_FN(shi_direction_status)(v);
         for (k = 0; k < size && ok && !direct; k++) y[k * ys] = t[k];
@@ -2563,7 +2630,8 @@ SH_API int SHI_FN(sh_eval_grad)(int bands, const SHI_T v[3], SHI_T *y, SHI_T *gr
 {
     const int status = SHI_FN(shi_check_basis)(bands, 1, v, v, y, grad, NULL);
     if (status) return status;
-    return SHI_MANY(shi_single_gradient)(bands, v, y, grad) ? SH_OK : SHI_FN(shi_direction_status)(v);
+    if (y && grad ? SHI_MANY(shi_single_both)(bands, v, y, grad) : SHI_MANY(shi_single_gradient)(bands, v, y, grad)) return SH_OK;
+    return SHI_FN(shi_direction_status)(v);
 }
 
 /* Many: v[count][3], y[count][N] or NULL, grad[count][3][N] or NULL. */
@@ -3698,62 +3766,140 @@ static const SHI_T SHI_FN(shi_zonal)[34] = {
     SHI_C(2.129768972944957), SHI_C(2.1668112103298047), SHI_C(2.203230756026887),
     SHI_C(2.2390579955406924), SHI_C(2.274320920733615), SHI_C(2.309045385777095)
 };
-/* [shi_horner_row[l] + k (l+2) + m]: q_l^m = z^((l-m)&1) sum_k c_k (z^2 - 1/2)^k, norm included */
-static const SHI_T SHI_FN(shi_horner)[243] = {
-    SHI_C(0.28209479177387814), SHI_C(0.0), SHI_C(0.4886025119029199), SHI_C(0.4886025119029199),
-    SHI_C(0.0), SHI_C(0.15769578262626), SHI_C(1.0925484305920792), SHI_C(0.5462742152960396), SHI_C(0.0),
-    SHI_C(0.94617469575756), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(-0.1865881662950577),
-    SHI_C(0.6855686991966986), SHI_C(1.4453057213202771), SHI_C(0.5900435899266435), SHI_C(0.0),
-    SHI_C(1.865881662950577), SHI_C(2.2852289973223288), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0),
-    SHI_C(-0.343803027474414), SHI_C(0.3345232717786446), SHI_C(1.18271836969695),
-    SHI_C(1.7701307697799304), SHI_C(0.6258357354491761), SHI_C(0.0), SHI_C(0.5289277345760215),
-    SHI_C(4.683325804901024), SHI_C(3.3116114351514603), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0),
-    SHI_C(3.7024941420321507), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0),
+/* [100 k + l(l+1) + m]: q_l^|m| = z^((l-m)&1) sum_k c_k (z^2 - 1/2)^k, norm included; registers may read past the end */
+static const SHI_T SHI_FN(shi_horner)[516] = {
+    SHI_C(0.28209479177387814), SHI_C(0.4886025119029199), SHI_C(0.4886025119029199),
+    SHI_C(0.4886025119029199), SHI_C(0.5462742152960396), SHI_C(1.0925484305920792),
+    SHI_C(0.15769578262626), SHI_C(1.0925484305920792), SHI_C(0.5462742152960396),
+    SHI_C(0.5900435899266435), SHI_C(1.4453057213202771), SHI_C(0.6855686991966986),
+    SHI_C(-0.1865881662950577), SHI_C(0.6855686991966986), SHI_C(1.4453057213202771),
+    SHI_C(0.5900435899266435), SHI_C(0.6258357354491761), SHI_C(1.7701307697799304),
+    SHI_C(1.18271836969695), SHI_C(0.3345232717786446), SHI_C(-0.343803027474414),
+    SHI_C(0.3345232717786446), SHI_C(1.18271836969695), SHI_C(1.7701307697799304),
+    SHI_C(0.6258357354491761), SHI_C(0.6563820568401701), SHI_C(2.075662314881041),
+    SHI_C(1.7123340480233764), SHI_C(1.198384196243331), SHI_C(-0.3397099883967727),
     SHI_C(-0.4970388704270503), SHI_C(-0.3397099883967727), SHI_C(1.198384196243331),
-    SHI_C(1.7123340480233764), SHI_C(2.075662314881041), SHI_C(0.6563820568401701), SHI_C(0.0),
-    SHI_C(-0.8186522571739652), SHI_C(3.1706265583698783), SHI_C(7.190305177459986),
-    SHI_C(4.403144694917254), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(7.367870314565686),
-    SHI_C(9.511879675109636), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0),
+    SHI_C(1.7123340480233764), SHI_C(2.075662314881041), SHI_C(0.6563820568401701),
+    SHI_C(0.6831841051919143), SHI_C(2.366619162231752), SHI_C(2.2705420532792586),
+    SHI_C(2.3030131487873087), SHI_C(0.11515065743936544), SHI_C(-1.0195873844077799),
     SHI_C(-0.1509768553856175), SHI_C(-1.0195873844077799), SHI_C(0.11515065743936544),
     SHI_C(2.3030131487873087), SHI_C(2.2705420532792586), SHI_C(2.366619162231752),
-    SHI_C(0.6831841051919143), SHI_C(0.0), SHI_C(-2.3361681833353445), SHI_C(1.7478640875561942),
-    SHI_C(6.909039446361926), SHI_C(10.133257854664159), SHI_C(5.550213908015966), SHI_C(0.0), SHI_C(0.0),
-    SHI_C(0.0), SHI_C(2.0024298714302953), SHI_C(19.226504963118135), SHI_C(15.199886781996238), SHI_C(0.0),
-    SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(14.684485723822167), SHI_C(0.0), SHI_C(0.0),
-    SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.1963172961220142),
-    SHI_C(-0.6887785078166945), SHI_C(-0.9403819714455881), SHI_C(0.8996388697081907),
-    SHI_C(3.6324090510418223), SHI_C(2.854035682961432), SHI_C(2.6459606618019), SHI_C(0.7071627325245962),
-    SHI_C(0.0), SHI_C(-3.840990576300278), SHI_C(-3.455183990031287), SHI_C(7.301789425342213),
-    SHI_C(12.04733790739664), SHI_C(13.491805046726768), SHI_C(6.745902523363384), SHI_C(0.0), SHI_C(0.0),
-    SHI_C(0.0), SHI_C(-3.3800717071442445), SHI_C(13.414243726003821), SHI_C(31.64108750981626),
-    SHI_C(22.373627542308046), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0),
-    SHI_C(29.29395479525012), SHI_C(38.75225965289993), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0),
-    SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.3470010481466383), SHI_C(-0.3680142049083823),
+    SHI_C(0.6831841051919143), SHI_C(0.7071627325245962), SHI_C(2.6459606618019), SHI_C(2.854035682961432),
+    SHI_C(3.6324090510418223), SHI_C(0.8996388697081907), SHI_C(-0.9403819714455881),
+    SHI_C(-0.6887785078166945), SHI_C(0.1963172961220142), SHI_C(-0.6887785078166945),
+    SHI_C(-0.9403819714455881), SHI_C(0.8996388697081907), SHI_C(3.6324090510418223),
+    SHI_C(2.854035682961432), SHI_C(2.6459606618019), SHI_C(0.7071627325245962), SHI_C(0.7289266601748299),
+    SHI_C(2.9157066406993195), SHI_C(3.4601629793870265), SHI_C(5.174865933147162),
+    SHI_C(2.0332702302271555), SHI_C(-0.30881653882388604), SHI_C(-1.08336161378291),
+    SHI_C(-0.3680142049083823), SHI_C(0.3470010481466383), SHI_C(-0.3680142049083823),
     SHI_C(-1.08336161378291), SHI_C(-0.30881653882388604), SHI_C(2.0332702302271555),
     SHI_C(5.174865933147162), SHI_C(3.4601629793870265), SHI_C(2.9157066406993195),
-    SHI_C(0.7289266601748299), SHI_C(0.0), SHI_C(-1.104042614725147), SHI_C(-8.6960393604277),
-    SHI_C(-1.254418710696001), SHI_C(16.058460018842073), SHI_C(18.658244465613897),
-    SHI_C(17.24955311049054), SHI_C(7.9849914908931385), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0),
-    SHI_C(-13.044059040641551), SHI_C(7.796449081762767), SHI_C(32.614886478096025),
-    SHI_C(48.17538005652622), SHI_C(31.097074109356495), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0),
-    SHI_C(0.0), SHI_C(7.796449081762767), SHI_C(77.96449081762766), SHI_C(65.22977295619205), SHI_C(0.0),
-    SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(58.47336811322075),
+    SHI_C(0.7289266601748299), SHI_C(0.7489009518531883), SHI_C(3.1773176489546975),
+    SHI_C(4.086791110080399), SHI_C(6.921229179411617), SHI_C(3.5334925230328844),
+    SHI_C(1.0194248096822933), SHI_C(-1.2119848650425105), SHI_C(-1.2846015040594343),
+    SHI_C(0.31818174868912225), SHI_C(0.49653220922798197), SHI_C(0.31818174868912225),
+    SHI_C(-1.2846015040594343), SHI_C(-1.2119848650425105), SHI_C(1.0194248096822933),
+    SHI_C(3.5334925230328844), SHI_C(6.921229179411617), SHI_C(4.086791110080399),
+    SHI_C(3.1773176489546975), SHI_C(0.7489009518531883), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0),
+    SHI_C(0.0), SHI_C(0.0), SHI_C(0.94617469575756), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0),
+    SHI_C(2.2852289973223288), SHI_C(1.865881662950577), SHI_C(2.2852289973223288), SHI_C(0.0), SHI_C(0.0),
+    SHI_C(0.0), SHI_C(0.0), SHI_C(3.3116114351514603), SHI_C(4.683325804901024), SHI_C(0.5289277345760215),
+    SHI_C(4.683325804901024), SHI_C(3.3116114351514603), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0),
+    SHI_C(4.403144694917254), SHI_C(7.190305177459986), SHI_C(3.1706265583698783),
+    SHI_C(-0.8186522571739652), SHI_C(3.1706265583698783), SHI_C(7.190305177459986),
+    SHI_C(4.403144694917254), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(5.550213908015966),
+    SHI_C(10.133257854664159), SHI_C(6.909039446361926), SHI_C(1.7478640875561942),
+    SHI_C(-2.3361681833353445), SHI_C(1.7478640875561942), SHI_C(6.909039446361926),
+    SHI_C(10.133257854664159), SHI_C(5.550213908015966), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0),
+    SHI_C(6.745902523363384), SHI_C(13.491805046726768), SHI_C(12.04733790739664), SHI_C(7.301789425342213),
+    SHI_C(-3.455183990031287), SHI_C(-3.840990576300278), SHI_C(-3.455183990031287),
+    SHI_C(7.301789425342213), SHI_C(12.04733790739664), SHI_C(13.491805046726768), SHI_C(6.745902523363384),
+    SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(7.9849914908931385), SHI_C(17.24955311049054),
+    SHI_C(18.658244465613897), SHI_C(16.058460018842073), SHI_C(-1.254418710696001),
+    SHI_C(-8.6960393604277), SHI_C(-1.104042614725147), SHI_C(-8.6960393604277), SHI_C(-1.254418710696001),
+    SHI_C(16.058460018842073), SHI_C(18.658244465613897), SHI_C(17.24955311049054),
+    SHI_C(7.9849914908931385), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(9.263393182848905),
+    SHI_C(21.392890190908638), SHI_C(26.80580534714602), SHI_C(28.543894671104216),
+    SHI_C(4.501658070157895), SHI_C(-9.82342326633685), SHI_C(-6.025315139733252),
+    SHI_C(1.6378958485779138), SHI_C(-6.025315139733252), SHI_C(-9.82342326633685),
+    SHI_C(4.501658070157895), SHI_C(28.543894671104216), SHI_C(26.80580534714602),
+    SHI_C(21.392890190908638), SHI_C(9.263393182848905), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0),
     SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0),
-    SHI_C(0.0), SHI_C(0.49653220922798197), SHI_C(0.31818174868912225), SHI_C(-1.2846015040594343),
-    SHI_C(-1.2119848650425105), SHI_C(1.0194248096822933), SHI_C(3.5334925230328844),
-    SHI_C(6.921229179411617), SHI_C(4.086791110080399), SHI_C(3.1773176489546975),
-    SHI_C(0.7489009518531883), SHI_C(0.0), SHI_C(1.6378958485779138), SHI_C(-6.025315139733252),
-    SHI_C(-9.82342326633685), SHI_C(4.501658070157895), SHI_C(28.543894671104216), SHI_C(26.80580534714602),
-    SHI_C(21.392890190908638), SHI_C(9.263393182848905), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0),
-    SHI_C(-22.666365130320163), SHI_C(-23.037969651921255), SHI_C(35.36432375881266),
-    SHI_C(63.023212982210545), SHI_C(69.32088705839595), SHI_C(41.427153718316575), SHI_C(0.0), SHI_C(0.0),
-    SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(-13.737190988072825), SHI_C(55.29112716461101),
-    SHI_C(133.59855642218116), SHI_C(102.03758292357897), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0),
-    SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(116.76612339861902), SHI_C(156.65819363306454), SHI_C(0.0),
+    SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0),
+    SHI_C(0.0), SHI_C(0.0), SHI_C(3.7024941420321507), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0),
+    SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(9.511879675109636), SHI_C(7.367870314565686),
+    SHI_C(9.511879675109636), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0),
+    SHI_C(0.0), SHI_C(0.0), SHI_C(15.199886781996238), SHI_C(19.226504963118135), SHI_C(2.0024298714302953),
+    SHI_C(19.226504963118135), SHI_C(15.199886781996238), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0),
+    SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(22.373627542308046), SHI_C(31.64108750981626),
+    SHI_C(13.414243726003821), SHI_C(-3.3800717071442445), SHI_C(13.414243726003821),
+    SHI_C(31.64108750981626), SHI_C(22.373627542308046), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0),
+    SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(31.097074109356495), SHI_C(48.17538005652622),
+    SHI_C(32.614886478096025), SHI_C(7.796449081762767), SHI_C(-13.044059040641551),
+    SHI_C(7.796449081762767), SHI_C(32.614886478096025), SHI_C(48.17538005652622),
+    SHI_C(31.097074109356495), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0),
+    SHI_C(0.0), SHI_C(0.0), SHI_C(41.427153718316575), SHI_C(69.32088705839595), SHI_C(63.023212982210545),
+    SHI_C(35.36432375881266), SHI_C(-23.037969651921255), SHI_C(-22.666365130320163),
+    SHI_C(-23.037969651921255), SHI_C(35.36432375881266), SHI_C(63.023212982210545),
+    SHI_C(69.32088705839595), SHI_C(41.427153718316575), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0),
+    SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0),
+    SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0),
+    SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0),
+    SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0),
+    SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0),
+    SHI_C(0.0), SHI_C(0.0), SHI_C(14.684485723822167), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0),
+    SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0),
+    SHI_C(38.75225965289993), SHI_C(29.29395479525012), SHI_C(38.75225965289993), SHI_C(0.0), SHI_C(0.0),
+    SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0),
+    SHI_C(0.0), SHI_C(0.0), SHI_C(65.22977295619205), SHI_C(77.96449081762766), SHI_C(7.796449081762767),
+    SHI_C(77.96449081762766), SHI_C(65.22977295619205), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0),
+    SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0),
+    SHI_C(102.03758292357897), SHI_C(133.59855642218116), SHI_C(55.29112716461101),
+    SHI_C(-13.737190988072825), SHI_C(55.29112716461101), SHI_C(133.59855642218116),
+    SHI_C(102.03758292357897), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0),
+    SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0),
+    SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0),
+    SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0),
+    SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0),
+    SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0),
+    SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0),
+    SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0),
+    SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0),
+    SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0),
+    SHI_C(58.47336811322075), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0),
+    SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0),
+    SHI_C(0.0), SHI_C(0.0), SHI_C(156.65819363306454), SHI_C(116.76612339861902), SHI_C(156.65819363306454),
+    SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0),
     SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0),
     SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0)
 };
-static const int SHI_FN(shi_horner_row)[10] = { 0, 2, 5, 13, 23, 41, 62, 94, 130, 180 };
+/* [l(l+1) + m]: shi_slope by coefficient */
+static const SHI_T SHI_FN(shi_line_slope)[100] = {
+    SHI_C(0.0), SHI_C(0.0), SHI_C(1.0), SHI_C(0.0), SHI_C(0.0), SHI_C(2.0), SHI_C(1.7320508075688772),
+    SHI_C(2.0), SHI_C(0.0), SHI_C(0.0), SHI_C(2.449489742783178), SHI_C(3.1622776601683795),
+    SHI_C(2.449489742783178), SHI_C(3.1622776601683795), SHI_C(2.449489742783178), SHI_C(0.0), SHI_C(0.0),
+    SHI_C(2.8284271247461903), SHI_C(3.7416573867739413), SHI_C(4.242640687119285),
+    SHI_C(3.1622776601683795), SHI_C(4.242640687119285), SHI_C(3.7416573867739413),
+    SHI_C(2.8284271247461903), SHI_C(0.0), SHI_C(0.0), SHI_C(3.1622776601683795), SHI_C(4.242640687119285),
+    SHI_C(4.898979485566356), SHI_C(5.291502622129181), SHI_C(3.872983346207417), SHI_C(5.291502622129181),
+    SHI_C(4.898979485566356), SHI_C(4.242640687119285), SHI_C(3.1622776601683795), SHI_C(0.0), SHI_C(0.0),
+    SHI_C(3.4641016151377544), SHI_C(4.69041575982343), SHI_C(5.477225575051661), SHI_C(6.0),
+    SHI_C(6.324555320336759), SHI_C(4.58257569495584), SHI_C(6.324555320336759), SHI_C(6.0),
+    SHI_C(5.477225575051661), SHI_C(4.69041575982343), SHI_C(3.4641016151377544), SHI_C(0.0), SHI_C(0.0),
+    SHI_C(3.7416573867739413), SHI_C(5.0990195135927845), SHI_C(6.0), SHI_C(6.6332495807108),
+    SHI_C(7.0710678118654755), SHI_C(7.3484692283495345), SHI_C(5.291502622129181),
+    SHI_C(7.3484692283495345), SHI_C(7.0710678118654755), SHI_C(6.6332495807108), SHI_C(6.0),
+    SHI_C(5.0990195135927845), SHI_C(3.7416573867739413), SHI_C(0.0), SHI_C(0.0), SHI_C(4.0),
+    SHI_C(5.477225575051661), SHI_C(6.48074069840786), SHI_C(7.211102550927978), SHI_C(7.745966692414834),
+    SHI_C(8.12403840463596), SHI_C(8.366600265340756), SHI_C(6.0), SHI_C(8.366600265340756),
+    SHI_C(8.12403840463596), SHI_C(7.745966692414834), SHI_C(7.211102550927978), SHI_C(6.48074069840786),
+    SHI_C(5.477225575051661), SHI_C(4.0), SHI_C(0.0), SHI_C(0.0), SHI_C(4.242640687119285),
+    SHI_C(5.830951894845301), SHI_C(6.928203230275509), SHI_C(7.745966692414834), SHI_C(8.366600265340756),
+    SHI_C(8.831760866327848), SHI_C(9.16515138991168), SHI_C(9.38083151964686), SHI_C(6.708203932499369),
+    SHI_C(9.38083151964686), SHI_C(9.16515138991168), SHI_C(8.831760866327848), SHI_C(8.366600265340756),
+    SHI_C(7.745966692414834), SHI_C(6.928203230275509), SHI_C(5.830951894845301), SHI_C(4.242640687119285),
+    SHI_C(0.0)
+};
 /* END tools/gen_gradient.py */
 
 #endif /* rooms */

@@ -97,11 +97,8 @@ def frac(f):
 def block():
     polynomials = {m: horner(m) for m in range(POLYNOMIAL_BANDS)}
     pairs = [(l, m) for l in range(TOP + 1) for m in range(l + 1)]
-    flat, rows = [], []
-    for l in range(POLYNOMIAL_BANDS):       # a zero after each row, and registers may read past the last
-        rows.append(len(flat))
-        flat += [(polynomials[m][l - m] + [mpf(0)] * l)[k] if m <= l else mpf(0) for k in range(l // 2 + 1) for m in range(l + 2)]
-    flat += [mpf(0)] * 8
+    line = [(l, abs(m)) for l in range(POLYNOMIAL_BANDS) for m in range(-l, l + 1)]
+    flat = [(polynomials[m][l - m] + [mpf(0)] * 5)[k] for k in range((POLYNOMIAL_BANDS + 1) // 2) for l, m in line]
     return "\n".join([
         table("shi_beta", len(pairs), "[l(l+1)/2 + m]: monic q_l = z q_{l-1} - beta q_{l-2}; (l,l) holds -1, the seed of a column",
               [frac(beta(l, m)) for l, m in pairs]),
@@ -114,8 +111,9 @@ def block():
               [mpf(0)] + [1 / sqrt(mpf(4 * l * l - 1)) for l in range(1, TOP + 3)]),
         table("shi_reciprocal", 2 * TOP + 2, "[l]: 1/l, l >= 1", [mpf(0)] + [1 / mpf(l) for l in range(1, 2 * TOP + 2)]),
         table("shi_zonal", TOP + 1, "[l]: Y_l0(+z) = sqrt((2l+1)/(4 pi))", [sqrt((2 * l + 1) / (4 * pi)) for l in range(TOP + 1)]),
-        table("shi_horner", len(flat), "[shi_horner_row[l] + k (l+2) + m]: q_l^m = z^((l-m)&1) sum_k c_k (z^2 - 1/2)^k, norm included", flat),
-        "static const int SHI_FN(shi_horner_row)[%d] = { %s };" % (len(rows), ", ".join(map(str, rows))),
+        table("shi_horner", len(flat) + 16, "[100 k + l(l+1) + m]: q_l^|m| = z^((l-m)&1) sum_k c_k (z^2 - 1/2)^k, norm included; "
+              "registers may read past the end", flat + [mpf(0)] * 16),
+        table("shi_line_slope", len(line), "[l(l+1) + m]: shi_slope by coefficient", [sqrt(frac(slope2(l, m))) for l, m in line]),
     ])
 
 
@@ -130,8 +128,9 @@ def main():
             sys.exit(f"{path}: tables are not what tools/gen_gradient.py prints; run make tables")
         print(f"{path}: tables are current")
     else:
+        text = text[:i] + block() + text[j:]
         with open(path, "w") as f:
-            f.write(text[:i] + block() + text[j:])
+            f.write(text)
 
 
 main()
