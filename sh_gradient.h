@@ -207,6 +207,8 @@ SH_API const char *sh_status_string(int status)
     }
 }
 
+SHI_INLINE int shi_abs(int i) { return i < 0 ? -i : i; }
+
 /* 1 if the byte ranges share a byte; a NULL range shares none */
 SHI_INLINE int shi_overlap(const void *a, size_t a_bytes, const void *b, size_t b_bytes)
 {
@@ -214,13 +216,31 @@ SHI_INLINE int shi_overlap(const void *a, size_t a_bytes, const void *b, size_t 
     return p && q && p < q + b_bytes && q < p + a_bytes;
 }
 
-/* band and order of coefficient i, of the first 10 bands: constants where loops are unrolled */
-SHI_INLINE int shi_band_at(int i)
-{
-    return (i >= 1) + (i >= 4) + (i >= 9) + (i >= 16) + (i >= 25) + (i >= 36) + (i >= 49) + (i >= 64) + (i >= 81);
-}
-SHI_INLINE int shi_order_at(int i) { return i - shi_band_at(i) * (shi_band_at(i) + 1); }
-SHI_INLINE int shi_abs_order_at(int i) { return shi_order_at(i) < 0 ? -shi_order_at(i) : shi_order_at(i); }
+/* band and order of coefficient i, of the first 10 bands; constants where loops are unrolled */
+static const signed char shi_band_of[SHI_LINE] = {
+    0,
+    1, 1, 1,
+    2, 2, 2, 2, 2,
+    3, 3, 3, 3, 3, 3, 3,
+    4, 4, 4, 4, 4, 4, 4, 4, 4,
+    5, 5, 5, 5, 5, 5, 5, 5, 5, 5, 5,
+    6, 6, 6, 6, 6, 6, 6, 6, 6, 6, 6, 6, 6,
+    7, 7, 7, 7, 7, 7, 7, 7, 7, 7, 7, 7, 7, 7, 7,
+    8, 8, 8, 8, 8, 8, 8, 8, 8, 8, 8, 8, 8, 8, 8, 8, 8,
+    9, 9, 9, 9, 9, 9, 9, 9, 9, 9, 9, 9, 9, 9, 9, 9, 9, 9, 9
+};
+static const signed char shi_order_of[SHI_LINE] = {
+    0,
+    -1, 0, 1,
+    -2, -1, 0, 1, 2,
+    -3, -2, -1, 0, 1, 2, 3,
+    -4, -3, -2, -1, 0, 1, 2, 3, 4,
+    -5, -4, -3, -2, -1, 0, 1, 2, 3, 4, 5,
+    -6, -5, -4, -3, -2, -1, 0, 1, 2, 3, 4, 5, 6,
+    -7, -6, -5, -4, -3, -2, -1, 0, 1, 2, 3, 4, 5, 6, 7,
+    -8, -7, -6, -5, -4, -3, -2, -1, 0, 1, 2, 3, 4, 5, 6, 7, 8,
+    -9, -8, -7, -6, -5, -4, -3, -2, -1, 0, 1, 2, 3, 4, 5, 6, 7, 8, 9
+};
 
 #define SHI_FILE SH_GRADIENT_FILENAME
 #define SHI_ROOM SHI_INSTANTIATE
@@ -422,6 +442,12 @@ SHI_KERNEL void  SHI_PUT(SHI_T *p, SHI_V v, int single)    /* all lanes, or the 
     else memcpy(p, &v, sizeof v);
 }
 SHI_KERNEL SHI_M SHI_BITS_OF(SHI_V v)              { SHI_M m; memcpy(&m, &v, sizeof m); return m; }
+SHI_KERNEL SHI_V SHI_KN(shi_flip)(SHI_V v, SHI_M signs)     /* -v where the sign bit is set */
+{
+    const SHI_M m = SHI_BITS_OF(v) ^ signs;
+    memcpy(&v, &m, sizeof v);
+    return v;
+}
 SHI_KERNEL SHI_V SHI_KN(shi_orders)(void)           /* 0 1 2 ... */
 {
     static const SHI_T m[16] = { 0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15 };
@@ -1766,7 +1792,7 @@ SHI_KERNEL void SHI_BN(shi_polar)(const SHI_V u[4], SHI_V a[3])
     a[1] = a[2] = u[3];
 #else
     a[1] = SHI_FMA(u[0], u[0], u[1] * u[1]) / (SHI_C(1) + SHI_ABS(u[2]));
-    a[2] = SHI_SELECT((SHI_M)(u[2] < SHI_SPLAT(0)), SHI_SPLAT(-1), SHI_SPLAT(1));
+    a[2] = SHI_SELECT((SHI_M)(u[2] < SHI_SPLAT(0)), -SHI_SPLAT(0), SHI_SPLAT(0));
 #endif
 }
 
@@ -1785,41 +1811,94 @@ SHI_KERNEL void SHI_BN(shi_column)(int m, int n, const SHI_V a[3], SHI_V (*colum
     }
 }
 #else
-/* The recurrence is a chain: SHI_ABREAST columns from m on run at once. A function of its own, or gcc keeps
- * them in memory */
-SHI_NOINLINE void SHI_KN(shi_columns)(int m, int n, const SHI_V a[3], SHI_V (*q)[SHI_COLUMN])
+/* The recurrence is a chain: SHI_ABREAST columns from m on run at once, each from its own m on. p_l = p_{l-1} + d_l,
+ * d_l = step t p_{l-1} - (1 + step) d_{l-1} */
+typedef struct {
+    SHI_V t, p[SHI_ABREAST], d[SHI_ABREAST];
+    SHI_M flip[2];                                  /* sign bits of z^(l-m), even and odd columns */
+} SHI_KN(shi_run);
+SHI_KERNEL void SHI_KN(shi_run_start)(const SHI_V a[3], SHI_KN(shi_run) *o)
 {
-    const SHI_V t = a[1];
-    const SHI_T *r = SHI_FN(shi_reciprocal) + 2 * m, *pole = SHI_FN(shi_pole) + SHI_ROWS(m, m);
-    SHI_T step = SHI_C(1 - 2 * m), back = -1;
-    SHI_V p[SHI_ABREAST], d[SHI_ABREAST], side[2], swap;
-    int l, j;
+    int j;
+    o->t = a[1];
+    o->flip[0] = SHI_BITS_OF(SHI_SPLAT(0));
+    o->flip[1] = SHI_BITS_OF(a[2]);
     SHI_UNROLL
     for (j = 0; j < SHI_ABREAST; j++) {
-        p[j] = SHI_SPLAT(1);
-        d[j] = SHI_SPLAT(0);
+        o->p[j] = SHI_SPLAT(1);
+        o->d[j] = SHI_SPLAT(0);
     }
-    side[0] = p[0];
-    side[1] = a[2];
-    for (l = m; ; ) {
-        SHI_UNROLL
-        for (j = 0; j < SHI_ABREAST; j++)
-            if (l >= m + j) q[j][l] = pole[j] * (side[j & 1] * p[j]);
-        if (++l >= n) break;
-        step -= 2;
-        back += 1;
-        r++;
-        pole += l;
-        SHI_UNROLL
-        for (j = 0; j < SHI_ABREAST; j++) {
-            if (l > m + j) {
-                d[j] = SHI_FMA((step * r[j]) * t, p[j], ((back - SHI_C(j)) * r[j]) * d[j]);
-                p[j] = p[j] + d[j];
-            }
+}
+/* q[j] = q_l^{m+j}; `running` columns have begun below l */
+SHI_KERNEL void SHI_KN(shi_run_row)(int l, int m, int running, SHI_KN(shi_run) *o, SHI_V q[SHI_ABREAST])
+{
+    const SHI_T *const step = SHI_FN(shi_step) + SHI_ROWS(l, m), *const pole = SHI_FN(shi_pole) + SHI_ROWS(l, m);
+    const SHI_M even = o->flip[0];
+    int j;
+    SHI_UNROLL
+    for (j = 0; j < SHI_ABREAST && j <= running; j++) {
+        if (j < running) {
+            const SHI_V a = SHI_KEEP(SHI_SPLAT(step[j])), b = SHI_C(-1) - a;
+            o->d[j] = SHI_FMA(a * o->t, o->p[j], b * o->d[j]);
+            o->p[j] = o->p[j] + o->d[j];
         }
-        swap = side[0];
-        side[0] = side[1];
-        side[1] = swap;
+        q[j] = SHI_KN(shi_flip)(pole[j] * o->p[j], o->flip[j & 1]);
+    }
+    o->flip[0] = o->flip[1];
+    o->flip[1] = even;
+}
+/* to memory. A function of its own, like the next, or gcc keeps the columns there as they run */
+SHI_NOINLINE void SHI_KN(shi_columns)(int m, int n, const SHI_V a[3], SHI_V (*column)[SHI_COLUMN])
+{
+    SHI_KN(shi_run) o;
+    SHI_V q[SHI_ABREAST];
+    int l, j, k;
+    SHI_KN(shi_run_start)(a, &o);
+    SHI_UNROLL
+    for (k = 0; k < SHI_ABREAST; k++) {
+        if (m + k < n) {
+            SHI_KN(shi_run_row)(m + k, m, k, &o, q);
+            SHI_UNROLL
+            for (j = 0; j <= k; j++) column[j][m + k] = q[j];
+        }
+    }
+    for (l = m + SHI_ABREAST; l < n; l++) {
+        SHI_KN(shi_run_row)(l, m, SHI_ABREAST, &o, q);
+        SHI_UNROLL
+        for (j = 0; j < SHI_ABREAST; j++) column[j][l] = q[j];
+    }
+}
+/* times U and V, to y; order 0 puts its sine where its cosine comes */
+SHI_KERNEL void SHI_KN(shi_run_put)(int l, int m, int started, int single, const SHI_V *q, const SHI_V *c, const SHI_V *s,
+                                    SHI_T *y, int stride)
+{
+    SHI_T *const up = y + (l * l + l + m) * stride, *const down = y + (l * l + l - m) * stride;
+    int j;
+    SHI_UNROLL
+    for (j = 0; j < SHI_ABREAST; j++) {
+        if (j < started) {
+            SHI_PUT(down - j * stride, q[j] * s[j], single);
+            SHI_PUT(up + j * stride, q[j] * c[j], single);
+        }
+    }
+}
+SHI_NOINLINE void SHI_KN(shi_columns_values)(int m, int n, int single, const SHI_V a[3], const SHI_V *c, const SHI_V *s,
+                                             SHI_T *y, int stride)
+{
+    SHI_KN(shi_run) o;
+    SHI_V q[SHI_ABREAST];
+    int l, k;
+    SHI_KN(shi_run_start)(a, &o);
+    SHI_UNROLL
+    for (k = 0; k < SHI_ABREAST; k++) {
+        if (m + k < n) {
+            SHI_KN(shi_run_row)(m + k, m, k, &o, q);
+            SHI_KN(shi_run_put)(m + k, m, k + 1, single, q, c, s, y, stride);
+        }
+    }
+    for (l = m + SHI_ABREAST; l < n; l++) {
+        SHI_KN(shi_run_row)(l, m, SHI_ABREAST, &o, q);
+        SHI_KN(shi_run_put)(l, m, SHI_ABREAST, single, q, c, s, y, stride);
     }
 }
 SHI_KERNEL void SHI_BN(shi_column)(int m, int n, const SHI_V a[3], SHI_V (*column)[SHI_COLUMN])
@@ -1831,6 +1910,7 @@ SHI_KERNEL void SHI_BN(shi_column)(int m, int n, const SHI_V a[3], SHI_V (*colum
 /* y[N], `stride` elements from one coefficient to the next */
 SHI_KERNEL void SHI_BN(shi_values)(int n, int single, const SHI_V u[4], SHI_T *y, int stride)
 {
+#if SHI_FIXED
     SHI_V a[3], column[SHI_RING][SHI_COLUMN], c[SHI_COLUMN], s[SHI_COLUMN];
     int l, m;
     SHI_BN(shi_polar)(u, a);
@@ -1849,6 +1929,15 @@ SHI_KERNEL void SHI_BN(shi_values)(int n, int single, const SHI_V u[4], SHI_T *y
             SHI_PUT(at - m * stride, q[l] * s[m], single);
         }
     }
+#else
+    SHI_V a[3], c[SH_MAX_BANDS + SHI_ABREAST], s[SH_MAX_BANDS + SHI_ABREAST];
+    int m, j;
+    SHI_BN(shi_polar)(u, a);
+    for (m = 0; m < n; m += SHI_ABREAST) {
+        for (j = m; j < m + SHI_ABREAST; j++) SHI_KN(shi_power)(j, u, c, s);
+        SHI_KN(shi_columns_values)(m, n, single, a, c + m, s + m, y, stride);
+    }
+#endif
 }
 
 /* y[N], g[3][N] = dY(v/|v|)/dv at u = v/|v|, i = 1/|v|; a stride of 0 discards an output into one place */
@@ -2040,13 +2129,12 @@ SHI_KERNEL void SHI_BN(shi_angles)(int n, SHI_V ct, SHI_V st, SHI_V cp, SHI_V sp
             const int at = l * l + l;
             SHI_V q, t;
             if (l > m) {
-                const SHI_T r = SHI_FN(shi_reciprocal)[l + m];
                 const SHI_V next = SHI_FMA(ct, q1, -beta * q0), slope = SHI_FMA(ct, t1, SHI_FMA(-st, q1, -beta * t0));
                 q0 = q1;
                 q1 = next;
                 t0 = t1;
                 t1 = slope;
-                d = SHI_FMA((SHI_C(1 - 2 * l) * r) * near, p, (SHI_C(l - 1 - m) * r) * d);
+                d = SHI_FMA(SHI_FN(shi_step)[SHI_ROWS(l, m)] * near, p, (SHI_C(-1) - SHI_FN(shi_step)[SHI_ROWS(l, m)]) * d);
                 p = p + d;
             }
             q = SHI_FN(shi_pole)[SHI_ROWS(l, m)] * ((l - m) & 1 ? side * p : p);
@@ -2134,19 +2222,19 @@ SHI_KERNEL SHI_V SHI_KN(shi_line_before)(int r, const SHI_V *c)
 /* to coefficients from orders: u[m] or, m < 0, v[-m] */
 SHI_KERNEL SHI_V SHI_KN(shi_line_spread)(int n, int k, const SHI_V *u, const SHI_V *v)
 {
-    const int at = SHI_KN(shi_line_at)(n, k), top = at + SHI_W <= n * n ? shi_band_at(at + SHI_W - 1) : n - 1;
+    const int at = SHI_KN(shi_line_at)(n, k), top = at + SHI_W <= n * n ? shi_band_of[at + SHI_W - 1] : n - 1;
     SHI_I lane[SHI_W];
     SHI_M from;
     SHI_V out;
     int beyond[SHI_W], r, i;
     SHI_UNROLL
-    for (i = 0; i < SHI_W; i++) lane[i] = shi_abs_order_at(at + i) % SHI_W + (shi_order_at(at + i) < 0 ? SHI_W : 0);
+    for (i = 0; i < SHI_W; i++) lane[i] = shi_abs(shi_order_of[at + i]) % SHI_W + (shi_order_of[at + i] < 0 ? SHI_W : 0);
     memcpy(&from, lane, sizeof from);
     out = SHI_KN(shi_choose)(u[0], v[0], from);
     SHI_UNROLL
     for (r = 1; r * SHI_W <= top; r++) {
         SHI_UNROLL
-        for (i = 0; i < SHI_W; i++) beyond[i] = shi_abs_order_at(at + i) >= r * SHI_W;
+        for (i = 0; i < SHI_W; i++) beyond[i] = shi_abs(shi_order_of[at + i]) >= r * SHI_W;
         out = SHI_KN(shi_blend)(beyond, SHI_KN(shi_choose)(u[r], v[r], from), out);
     }
     return out;
@@ -2154,13 +2242,13 @@ SHI_KERNEL SHI_V SHI_KN(shi_line_spread)(int n, int k, const SHI_V *u, const SHI
 /* q_l^|m| */
 SHI_KERNEL SHI_V SHI_KN(shi_line_column)(int n, int k, const SHI_V u[4])
 {
-    const int at = SHI_KN(shi_line_at)(n, k), top = at + SHI_W <= n * n ? shi_band_at(at + SHI_W - 1) : n - 1;
+    const int at = SHI_KN(shi_line_at)(n, k), top = at + SHI_W <= n * n ? shi_band_of[at + SHI_W - 1] : n - 1;
     SHI_V q = SHI_LOAD(&SHI_HORNER(0, at, top / 2));
     int odd[SHI_W], i;
     SHI_UNROLL
     for (i = top / 2 - 1; i >= 0; i--) q = SHI_FMA(q, u[3], SHI_LOAD(&SHI_HORNER(0, at, i)));
     SHI_UNROLL
-    for (i = 0; i < SHI_W; i++) odd[i] = (shi_band_at(at + i) - shi_order_at(at + i)) & 1;
+    for (i = 0; i < SHI_W; i++) odd[i] = (shi_band_of[at + i] - shi_order_of[at + i]) & 1;
     return q * SHI_KN(shi_blend)(odd, u[2], SHI_SPLAT(1));
 }
 /* from q_l^|m| to q_l^{|m|+1}, which stands at the orders |m|+1 and -|m|-1: in the same register if it can. The last
@@ -2178,7 +2266,7 @@ SHI_KERNEL SHI_V SHI_KN(shi_line_next)(int n, int k, const SHI_V *q)
         int any = 0;
         SHI_UNROLL
         for (i = 0; i < SHI_W; i++) {
-            const int l = shi_band_at(at + i), m = shi_abs_order_at(at + i), up = l * (l + 1) + m + 1, down = up - 2 * m - 2;
+            const int l = shi_band_of[at + i], m = shi_abs(shi_order_of[at + i]), up = l * (l + 1) + m + 1, down = up - 2 * m - 2;
             const int here = (up >= at && up < at + SHI_W) || (down >= at && down < at + SHI_W);
             const int near = up >= start && up < start + SHI_W ? up : down;
             const int has = r >= 0 && 1 + r * SHI_W < n * n && m < l && near >= start && near < start + SHI_W && (r == k || !here);
@@ -2233,8 +2321,8 @@ SHI_KERNEL int SHI_KN(shi_one_line)(int n, int planes, const SHI_T d[3], SHI_T *
             int zonal[SHI_W];
             SHI_UNROLL
             for (j = 0; j < SHI_W; j++) {
-                zonal[j] = shi_order_at(at + j) == 0;
-                order[j] = SHI_C(shi_abs_order_at(at + j));
+                zonal[j] = shi_order_of[at + j] == 0;
+                order[j] = SHI_C(shi_abs(shi_order_of[at + j]));
             }
             sloped = SHI_KN(shi_blend)(zonal, SHI_SPLAT(0), q[k]);       /* shi_gradient has no such terms for m = 0 */
             b = SHI_FMA(u[2], e, SHI_LOAD(order) * sloped);
@@ -3521,6 +3609,167 @@ static const SHI_T SHI_FN(shi_pole)[595] = {
     SHI_C(20014.515636768214), SHI_C(7595.8428272034225), SHI_C(2594.9469602010818),
     SHI_C(787.7371705858482), SHI_C(208.4156651851819), SHI_C(46.578905960516), SHI_C(8.298144360028767),
     SHI_C(1.0214309616376818)
+};
+/* [l(l+1)/2 + m]: (1-2l)/(l+m), l >= 1 */
+static const SHI_T SHI_FN(shi_step)[595] = {
+    SHI_C(1.0), SHI_C(-1.0), SHI_C(-0.5), SHI_C(-1.5), SHI_C(-1.0), SHI_C(-0.75),
+    SHI_C(-1.6666666666666667), SHI_C(-1.25), SHI_C(-1.0), SHI_C(-0.8333333333333334), SHI_C(-1.75),
+    SHI_C(-1.4), SHI_C(-1.1666666666666667), SHI_C(-1.0), SHI_C(-0.875), SHI_C(-1.8), SHI_C(-1.5),
+    SHI_C(-1.2857142857142858), SHI_C(-1.125), SHI_C(-1.0), SHI_C(-0.9), SHI_C(-1.8333333333333333),
+    SHI_C(-1.5714285714285714), SHI_C(-1.375), SHI_C(-1.2222222222222223), SHI_C(-1.1), SHI_C(-1.0),
+    SHI_C(-0.9166666666666666), SHI_C(-1.8571428571428572), SHI_C(-1.625), SHI_C(-1.4444444444444444),
+    SHI_C(-1.3), SHI_C(-1.1818181818181819), SHI_C(-1.0833333333333333), SHI_C(-1.0),
+    SHI_C(-0.9285714285714286), SHI_C(-1.875), SHI_C(-1.6666666666666667), SHI_C(-1.5),
+    SHI_C(-1.3636363636363635), SHI_C(-1.25), SHI_C(-1.1538461538461537), SHI_C(-1.0714285714285714),
+    SHI_C(-1.0), SHI_C(-0.9375), SHI_C(-1.8888888888888888), SHI_C(-1.7), SHI_C(-1.5454545454545454),
+    SHI_C(-1.4166666666666667), SHI_C(-1.3076923076923077), SHI_C(-1.2142857142857142),
+    SHI_C(-1.1333333333333333), SHI_C(-1.0625), SHI_C(-1.0), SHI_C(-0.9444444444444444), SHI_C(-1.9),
+    SHI_C(-1.7272727272727273), SHI_C(-1.5833333333333333), SHI_C(-1.4615384615384615),
+    SHI_C(-1.3571428571428572), SHI_C(-1.2666666666666666), SHI_C(-1.1875), SHI_C(-1.1176470588235294),
+    SHI_C(-1.0555555555555556), SHI_C(-1.0), SHI_C(-0.95), SHI_C(-1.9090909090909092), SHI_C(-1.75),
+    SHI_C(-1.6153846153846154), SHI_C(-1.5), SHI_C(-1.4), SHI_C(-1.3125), SHI_C(-1.2352941176470589),
+    SHI_C(-1.1666666666666667), SHI_C(-1.105263157894737), SHI_C(-1.05), SHI_C(-1.0),
+    SHI_C(-0.9545454545454546), SHI_C(-1.9166666666666667), SHI_C(-1.7692307692307692),
+    SHI_C(-1.6428571428571428), SHI_C(-1.5333333333333334), SHI_C(-1.4375), SHI_C(-1.3529411764705883),
+    SHI_C(-1.2777777777777777), SHI_C(-1.2105263157894737), SHI_C(-1.15), SHI_C(-1.0952380952380953),
+    SHI_C(-1.0454545454545454), SHI_C(-1.0), SHI_C(-0.9583333333333334), SHI_C(-1.9230769230769231),
+    SHI_C(-1.7857142857142858), SHI_C(-1.6666666666666667), SHI_C(-1.5625), SHI_C(-1.4705882352941178),
+    SHI_C(-1.3888888888888888), SHI_C(-1.3157894736842106), SHI_C(-1.25), SHI_C(-1.1904761904761905),
+    SHI_C(-1.1363636363636365), SHI_C(-1.0869565217391304), SHI_C(-1.0416666666666667), SHI_C(-1.0),
+    SHI_C(-0.9615384615384616), SHI_C(-1.9285714285714286), SHI_C(-1.8), SHI_C(-1.6875),
+    SHI_C(-1.588235294117647), SHI_C(-1.5), SHI_C(-1.4210526315789473), SHI_C(-1.35),
+    SHI_C(-1.2857142857142858), SHI_C(-1.2272727272727273), SHI_C(-1.173913043478261), SHI_C(-1.125),
+    SHI_C(-1.08), SHI_C(-1.0384615384615385), SHI_C(-1.0), SHI_C(-0.9642857142857143),
+    SHI_C(-1.9333333333333333), SHI_C(-1.8125), SHI_C(-1.7058823529411764), SHI_C(-1.6111111111111112),
+    SHI_C(-1.5263157894736843), SHI_C(-1.45), SHI_C(-1.380952380952381), SHI_C(-1.3181818181818181),
+    SHI_C(-1.2608695652173914), SHI_C(-1.2083333333333333), SHI_C(-1.16), SHI_C(-1.1153846153846154),
+    SHI_C(-1.0740740740740742), SHI_C(-1.0357142857142858), SHI_C(-1.0), SHI_C(-0.9666666666666667),
+    SHI_C(-1.9375), SHI_C(-1.8235294117647058), SHI_C(-1.7222222222222223), SHI_C(-1.631578947368421),
+    SHI_C(-1.55), SHI_C(-1.4761904761904763), SHI_C(-1.4090909090909092), SHI_C(-1.3478260869565217),
+    SHI_C(-1.2916666666666667), SHI_C(-1.24), SHI_C(-1.1923076923076923), SHI_C(-1.1481481481481481),
+    SHI_C(-1.1071428571428572), SHI_C(-1.0689655172413792), SHI_C(-1.0333333333333334), SHI_C(-1.0),
+    SHI_C(-0.96875), SHI_C(-1.9411764705882353), SHI_C(-1.8333333333333333), SHI_C(-1.736842105263158),
+    SHI_C(-1.65), SHI_C(-1.5714285714285714), SHI_C(-1.5), SHI_C(-1.434782608695652), SHI_C(-1.375),
+    SHI_C(-1.32), SHI_C(-1.2692307692307692), SHI_C(-1.2222222222222223), SHI_C(-1.1785714285714286),
+    SHI_C(-1.1379310344827587), SHI_C(-1.1), SHI_C(-1.064516129032258), SHI_C(-1.03125), SHI_C(-1.0),
+    SHI_C(-0.9705882352941176), SHI_C(-1.9444444444444444), SHI_C(-1.8421052631578947), SHI_C(-1.75),
+    SHI_C(-1.6666666666666667), SHI_C(-1.5909090909090908), SHI_C(-1.5217391304347827),
+    SHI_C(-1.4583333333333333), SHI_C(-1.4), SHI_C(-1.3461538461538463), SHI_C(-1.2962962962962963),
+    SHI_C(-1.25), SHI_C(-1.206896551724138), SHI_C(-1.1666666666666667), SHI_C(-1.1290322580645162),
+    SHI_C(-1.09375), SHI_C(-1.0606060606060606), SHI_C(-1.0294117647058822), SHI_C(-1.0),
+    SHI_C(-0.9722222222222222), SHI_C(-1.9473684210526316), SHI_C(-1.85), SHI_C(-1.7619047619047619),
+    SHI_C(-1.6818181818181819), SHI_C(-1.608695652173913), SHI_C(-1.5416666666666667), SHI_C(-1.48),
+    SHI_C(-1.4230769230769231), SHI_C(-1.3703703703703705), SHI_C(-1.3214285714285714),
+    SHI_C(-1.2758620689655173), SHI_C(-1.2333333333333334), SHI_C(-1.1935483870967742), SHI_C(-1.15625),
+    SHI_C(-1.121212121212121), SHI_C(-1.088235294117647), SHI_C(-1.0571428571428572),
+    SHI_C(-1.0277777777777777), SHI_C(-1.0), SHI_C(-0.9736842105263158), SHI_C(-1.95),
+    SHI_C(-1.8571428571428572), SHI_C(-1.7727272727272727), SHI_C(-1.6956521739130435), SHI_C(-1.625),
+    SHI_C(-1.56), SHI_C(-1.5), SHI_C(-1.4444444444444444), SHI_C(-1.3928571428571428),
+    SHI_C(-1.3448275862068966), SHI_C(-1.3), SHI_C(-1.2580645161290323), SHI_C(-1.21875),
+    SHI_C(-1.1818181818181819), SHI_C(-1.1470588235294117), SHI_C(-1.1142857142857143),
+    SHI_C(-1.0833333333333333), SHI_C(-1.054054054054054), SHI_C(-1.0263157894736843), SHI_C(-1.0),
+    SHI_C(-0.975), SHI_C(-1.9523809523809523), SHI_C(-1.8636363636363635), SHI_C(-1.7826086956521738),
+    SHI_C(-1.7083333333333333), SHI_C(-1.64), SHI_C(-1.5769230769230769), SHI_C(-1.5185185185185186),
+    SHI_C(-1.4642857142857142), SHI_C(-1.4137931034482758), SHI_C(-1.3666666666666667),
+    SHI_C(-1.3225806451612903), SHI_C(-1.28125), SHI_C(-1.2424242424242424), SHI_C(-1.2058823529411764),
+    SHI_C(-1.1714285714285715), SHI_C(-1.1388888888888888), SHI_C(-1.1081081081081081),
+    SHI_C(-1.0789473684210527), SHI_C(-1.0512820512820513), SHI_C(-1.025), SHI_C(-1.0),
+    SHI_C(-0.9761904761904762), SHI_C(-1.9545454545454546), SHI_C(-1.8695652173913044),
+    SHI_C(-1.7916666666666667), SHI_C(-1.72), SHI_C(-1.6538461538461537), SHI_C(-1.5925925925925926),
+    SHI_C(-1.5357142857142858), SHI_C(-1.4827586206896552), SHI_C(-1.4333333333333333),
+    SHI_C(-1.3870967741935485), SHI_C(-1.34375), SHI_C(-1.303030303030303), SHI_C(-1.2647058823529411),
+    SHI_C(-1.2285714285714286), SHI_C(-1.1944444444444444), SHI_C(-1.162162162162162),
+    SHI_C(-1.131578947368421), SHI_C(-1.1025641025641026), SHI_C(-1.075), SHI_C(-1.048780487804878),
+    SHI_C(-1.0238095238095237), SHI_C(-1.0), SHI_C(-0.9772727272727273), SHI_C(-1.9565217391304348),
+    SHI_C(-1.875), SHI_C(-1.8), SHI_C(-1.7307692307692308), SHI_C(-1.6666666666666667),
+    SHI_C(-1.6071428571428572), SHI_C(-1.5517241379310345), SHI_C(-1.5), SHI_C(-1.4516129032258065),
+    SHI_C(-1.40625), SHI_C(-1.3636363636363635), SHI_C(-1.3235294117647058), SHI_C(-1.2857142857142858),
+    SHI_C(-1.25), SHI_C(-1.2162162162162162), SHI_C(-1.1842105263157894), SHI_C(-1.1538461538461537),
+    SHI_C(-1.125), SHI_C(-1.0975609756097562), SHI_C(-1.0714285714285714), SHI_C(-1.0465116279069768),
+    SHI_C(-1.0227272727272727), SHI_C(-1.0), SHI_C(-0.9782608695652174), SHI_C(-1.9583333333333333),
+    SHI_C(-1.88), SHI_C(-1.8076923076923077), SHI_C(-1.7407407407407407), SHI_C(-1.6785714285714286),
+    SHI_C(-1.6206896551724137), SHI_C(-1.5666666666666667), SHI_C(-1.5161290322580645), SHI_C(-1.46875),
+    SHI_C(-1.4242424242424243), SHI_C(-1.3823529411764706), SHI_C(-1.3428571428571427),
+    SHI_C(-1.3055555555555556), SHI_C(-1.2702702702702702), SHI_C(-1.236842105263158),
+    SHI_C(-1.205128205128205), SHI_C(-1.175), SHI_C(-1.146341463414634), SHI_C(-1.119047619047619),
+    SHI_C(-1.0930232558139534), SHI_C(-1.0681818181818181), SHI_C(-1.0444444444444445),
+    SHI_C(-1.0217391304347827), SHI_C(-1.0), SHI_C(-0.9791666666666666), SHI_C(-1.96),
+    SHI_C(-1.8846153846153846), SHI_C(-1.8148148148148149), SHI_C(-1.75), SHI_C(-1.6896551724137931),
+    SHI_C(-1.6333333333333333), SHI_C(-1.5806451612903225), SHI_C(-1.53125), SHI_C(-1.4848484848484849),
+    SHI_C(-1.4411764705882353), SHI_C(-1.4), SHI_C(-1.3611111111111112), SHI_C(-1.3243243243243243),
+    SHI_C(-1.2894736842105263), SHI_C(-1.2564102564102564), SHI_C(-1.225), SHI_C(-1.1951219512195121),
+    SHI_C(-1.1666666666666667), SHI_C(-1.1395348837209303), SHI_C(-1.1136363636363635),
+    SHI_C(-1.0888888888888888), SHI_C(-1.065217391304348), SHI_C(-1.0425531914893618),
+    SHI_C(-1.0208333333333333), SHI_C(-1.0), SHI_C(-0.98), SHI_C(-1.9615384615384615),
+    SHI_C(-1.8888888888888888), SHI_C(-1.8214285714285714), SHI_C(-1.7586206896551724), SHI_C(-1.7),
+    SHI_C(-1.6451612903225807), SHI_C(-1.59375), SHI_C(-1.5454545454545454), SHI_C(-1.5),
+    SHI_C(-1.457142857142857), SHI_C(-1.4166666666666667), SHI_C(-1.3783783783783783),
+    SHI_C(-1.3421052631578947), SHI_C(-1.3076923076923077), SHI_C(-1.275), SHI_C(-1.2439024390243902),
+    SHI_C(-1.2142857142857142), SHI_C(-1.186046511627907), SHI_C(-1.1590909090909092),
+    SHI_C(-1.1333333333333333), SHI_C(-1.108695652173913), SHI_C(-1.0851063829787233), SHI_C(-1.0625),
+    SHI_C(-1.0408163265306123), SHI_C(-1.02), SHI_C(-1.0), SHI_C(-0.9807692307692307),
+    SHI_C(-1.962962962962963), SHI_C(-1.8928571428571428), SHI_C(-1.8275862068965518),
+    SHI_C(-1.7666666666666666), SHI_C(-1.7096774193548387), SHI_C(-1.65625), SHI_C(-1.606060606060606),
+    SHI_C(-1.5588235294117647), SHI_C(-1.5142857142857142), SHI_C(-1.4722222222222223),
+    SHI_C(-1.4324324324324325), SHI_C(-1.394736842105263), SHI_C(-1.358974358974359), SHI_C(-1.325),
+    SHI_C(-1.2926829268292683), SHI_C(-1.2619047619047619), SHI_C(-1.2325581395348837),
+    SHI_C(-1.2045454545454546), SHI_C(-1.1777777777777778), SHI_C(-1.1521739130434783),
+    SHI_C(-1.127659574468085), SHI_C(-1.1041666666666667), SHI_C(-1.0816326530612246), SHI_C(-1.06),
+    SHI_C(-1.0392156862745099), SHI_C(-1.0192307692307692), SHI_C(-1.0), SHI_C(-0.9814814814814815),
+    SHI_C(-1.9642857142857142), SHI_C(-1.896551724137931), SHI_C(-1.8333333333333333),
+    SHI_C(-1.7741935483870968), SHI_C(-1.71875), SHI_C(-1.6666666666666667), SHI_C(-1.6176470588235294),
+    SHI_C(-1.5714285714285714), SHI_C(-1.5277777777777777), SHI_C(-1.4864864864864864),
+    SHI_C(-1.4473684210526316), SHI_C(-1.4102564102564104), SHI_C(-1.375), SHI_C(-1.3414634146341464),
+    SHI_C(-1.3095238095238095), SHI_C(-1.2790697674418605), SHI_C(-1.25), SHI_C(-1.2222222222222223),
+    SHI_C(-1.1956521739130435), SHI_C(-1.1702127659574468), SHI_C(-1.1458333333333333),
+    SHI_C(-1.1224489795918366), SHI_C(-1.1), SHI_C(-1.0784313725490196), SHI_C(-1.0576923076923077),
+    SHI_C(-1.0377358490566038), SHI_C(-1.0185185185185186), SHI_C(-1.0), SHI_C(-0.9821428571428571),
+    SHI_C(-1.9655172413793103), SHI_C(-1.9), SHI_C(-1.8387096774193548), SHI_C(-1.78125),
+    SHI_C(-1.7272727272727273), SHI_C(-1.6764705882352942), SHI_C(-1.6285714285714286),
+    SHI_C(-1.5833333333333333), SHI_C(-1.5405405405405406), SHI_C(-1.5), SHI_C(-1.4615384615384615),
+    SHI_C(-1.425), SHI_C(-1.3902439024390243), SHI_C(-1.3571428571428572), SHI_C(-1.3255813953488371),
+    SHI_C(-1.2954545454545454), SHI_C(-1.2666666666666666), SHI_C(-1.2391304347826086),
+    SHI_C(-1.2127659574468086), SHI_C(-1.1875), SHI_C(-1.163265306122449), SHI_C(-1.14),
+    SHI_C(-1.1176470588235294), SHI_C(-1.0961538461538463), SHI_C(-1.0754716981132075),
+    SHI_C(-1.0555555555555556), SHI_C(-1.0363636363636364), SHI_C(-1.0178571428571428), SHI_C(-1.0),
+    SHI_C(-0.9827586206896551), SHI_C(-1.9666666666666666), SHI_C(-1.903225806451613), SHI_C(-1.84375),
+    SHI_C(-1.7878787878787878), SHI_C(-1.7352941176470589), SHI_C(-1.6857142857142857),
+    SHI_C(-1.6388888888888888), SHI_C(-1.5945945945945945), SHI_C(-1.5526315789473684),
+    SHI_C(-1.5128205128205128), SHI_C(-1.475), SHI_C(-1.4390243902439024), SHI_C(-1.4047619047619047),
+    SHI_C(-1.372093023255814), SHI_C(-1.3409090909090908), SHI_C(-1.3111111111111111),
+    SHI_C(-1.2826086956521738), SHI_C(-1.2553191489361701), SHI_C(-1.2291666666666667),
+    SHI_C(-1.2040816326530612), SHI_C(-1.18), SHI_C(-1.1568627450980393), SHI_C(-1.1346153846153846),
+    SHI_C(-1.1132075471698113), SHI_C(-1.0925925925925926), SHI_C(-1.0727272727272728),
+    SHI_C(-1.0535714285714286), SHI_C(-1.0350877192982457), SHI_C(-1.0172413793103448), SHI_C(-1.0),
+    SHI_C(-0.9833333333333333), SHI_C(-1.967741935483871), SHI_C(-1.90625), SHI_C(-1.8484848484848484),
+    SHI_C(-1.7941176470588236), SHI_C(-1.7428571428571429), SHI_C(-1.6944444444444444),
+    SHI_C(-1.6486486486486487), SHI_C(-1.605263157894737), SHI_C(-1.564102564102564), SHI_C(-1.525),
+    SHI_C(-1.4878048780487805), SHI_C(-1.4523809523809523), SHI_C(-1.4186046511627908),
+    SHI_C(-1.3863636363636365), SHI_C(-1.3555555555555556), SHI_C(-1.326086956521739),
+    SHI_C(-1.297872340425532), SHI_C(-1.2708333333333333), SHI_C(-1.2448979591836735), SHI_C(-1.22),
+    SHI_C(-1.196078431372549), SHI_C(-1.1730769230769231), SHI_C(-1.150943396226415),
+    SHI_C(-1.1296296296296295), SHI_C(-1.1090909090909091), SHI_C(-1.0892857142857142),
+    SHI_C(-1.0701754385964912), SHI_C(-1.0517241379310345), SHI_C(-1.0338983050847457),
+    SHI_C(-1.0166666666666666), SHI_C(-1.0), SHI_C(-0.9838709677419355), SHI_C(-1.96875),
+    SHI_C(-1.9090909090909092), SHI_C(-1.8529411764705883), SHI_C(-1.8), SHI_C(-1.75),
+    SHI_C(-1.7027027027027026), SHI_C(-1.6578947368421053), SHI_C(-1.6153846153846154), SHI_C(-1.575),
+    SHI_C(-1.5365853658536586), SHI_C(-1.5), SHI_C(-1.4651162790697674), SHI_C(-1.4318181818181819),
+    SHI_C(-1.4), SHI_C(-1.3695652173913044), SHI_C(-1.3404255319148937), SHI_C(-1.3125),
+    SHI_C(-1.2857142857142858), SHI_C(-1.26), SHI_C(-1.2352941176470589), SHI_C(-1.2115384615384615),
+    SHI_C(-1.1886792452830188), SHI_C(-1.1666666666666667), SHI_C(-1.1454545454545455), SHI_C(-1.125),
+    SHI_C(-1.105263157894737), SHI_C(-1.0862068965517242), SHI_C(-1.0677966101694916), SHI_C(-1.05),
+    SHI_C(-1.0327868852459017), SHI_C(-1.0161290322580645), SHI_C(-1.0), SHI_C(-0.984375),
+    SHI_C(-1.9696969696969697), SHI_C(-1.911764705882353), SHI_C(-1.8571428571428572),
+    SHI_C(-1.8055555555555556), SHI_C(-1.7567567567567568), SHI_C(-1.7105263157894737),
+    SHI_C(-1.6666666666666667), SHI_C(-1.625), SHI_C(-1.5853658536585367), SHI_C(-1.5476190476190477),
+    SHI_C(-1.5116279069767442), SHI_C(-1.4772727272727273), SHI_C(-1.4444444444444444),
+    SHI_C(-1.4130434782608696), SHI_C(-1.3829787234042554), SHI_C(-1.3541666666666667),
+    SHI_C(-1.3265306122448979), SHI_C(-1.3), SHI_C(-1.2745098039215685), SHI_C(-1.25),
+    SHI_C(-1.2264150943396226), SHI_C(-1.2037037037037037), SHI_C(-1.1818181818181819),
+    SHI_C(-1.1607142857142858), SHI_C(-1.1403508771929824), SHI_C(-1.1206896551724137),
+    SHI_C(-1.1016949152542372), SHI_C(-1.0833333333333333), SHI_C(-1.0655737704918034),
+    SHI_C(-1.0483870967741935), SHI_C(-1.0317460317460319), SHI_C(-1.015625), SHI_C(-1.0),
+    SHI_C(-0.9848484848484849)
 };
 /* [l(l+1)/2 + m]: norm included, d q_l^m / dz = slope q_l^{m+1} */
 static const SHI_T SHI_FN(shi_slope)[595] = {
