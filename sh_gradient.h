@@ -377,6 +377,7 @@ static const signed char shi_order_of[SHI_LINE] = {
 #define SHI_RSQRT(v)    SHI_KN(shi_rsqrt)(v)
 #define SHI_RSQRT_ROUGHLY(v) SHI_KN(shi_rsqrt_roughly)(v)
 #define SHI_FMA(a, b, c) SHI_KN(shi_fma)(a, b, c)
+#define SHI_FNMA(a, b, c) SHI_KN(shi_fnma)(a, b, c)
 #define SHI_ABS(v)      SHI_KN(shi_abs)(v)
 #define SHI_SUM(v)      SHI_KN(shi_sum)(v)
 #define SHI_ANY(m)      SHI_KN(shi_any)(m)
@@ -404,6 +405,7 @@ static const signed char shi_order_of[SHI_LINE] = {
 #undef SHI_RSQRT
 #undef SHI_RSQRT_ROUGHLY
 #undef SHI_FMA
+#undef SHI_FNMA
 #undef SHI_ABS
 #undef SHI_SUM
 #undef SHI_ANY
@@ -703,6 +705,17 @@ SHI_KERNEL SHI_V SHI_FMA(SHI_V a, SHI_V b, SHI_V c)
     return c;
 #else
     return a * b + c;
+#endif
+}
+/* c - a*b; gcc 12 would keep -a in a register */
+SHI_KERNEL SHI_V SHI_FNMA(SHI_V a, SHI_V b, SHI_V c)
+{
+#if SHI_BYTES == 32 && SHI_BITS == 32 && defined(__FMA__) && !defined(__clang__)
+    return __builtin_ia32_vfnmaddps256(a, b, c);
+#elif SHI_BYTES == 32 && defined(__FMA__) && !defined(__clang__)
+    return __builtin_ia32_vfnmaddpd256(a, b, c);
+#else
+    return SHI_FMA(-a, b, c);
 #endif
 }
 /* what rounding took from s = d * d: one multiply-add where there is a fused one, else Dekker's product */
@@ -1940,9 +1953,10 @@ SHI_KERNEL void SHI_BN(shi_values)(int n, int single, const SHI_V u[4], SHI_T *y
 #endif
 }
 
-/* y[N], g[3][N] = dY(v/|v|)/dv at u = v/|v|, i = 1/|v|; a stride of 0 discards an output into one place */
+/* y[N], g[3][N] = dY(v/|v|)/dv at u = v/|v|, i = 1/|v|; a stride of 0 discards an output into one place. Meanwhile
+ * normalises the register of directions at `ahead`: once u has been read, or gcc spills */
 SHI_KERNEL void SHI_BN(shi_gradient)(int n, int single, const SHI_V u[4], SHI_V i, SHI_T *y, int y_stride, SHI_T *g,
-                                     int stride)
+                                     int stride, const SHI_T *ahead, SHI_KN(shi_direction) *next)
 {
     const SHI_V z = u[2], xi = -u[0] * i, vi = -u[1] * i, zero = SHI_SPLAT(0);
     SHI_T *const gx = g, *const gy = gx + n * n * stride, *const gz = gy + n * n * stride;
@@ -1950,6 +1964,7 @@ SHI_KERNEL void SHI_BN(shi_gradient)(int n, int single, const SHI_V u[4], SHI_V 
     int l, m;
     SHI_BN(shi_polar)(u, a);
     SHI_BN(shi_column)(0, n, a, column);
+    if (ahead) SHI_KN(shi_direct_block)(ahead, next);
     SHI_LOOP
     for (m = 0; m < n; m++) {
         const SHI_V *const q0 = column[m % SHI_RING], *const q1 = column[(m + 1) % SHI_RING];
@@ -1967,7 +1982,7 @@ SHI_KERNEL void SHI_BN(shi_gradient)(int n, int single, const SHI_V u[4], SHI_V 
         for (l = m; l < n; l++) {
             const SHI_V q = q0[l], d = l > m ? SHI_FN(shi_slope)[SHI_ROWS(l, m)] * q1[l] : SHI_SPLAT(0);
             const SHI_V b = l > m ? SHI_FMA(z, d, m ? SHI_C(m) * q : zero) : SHI_C(m) * q;     /* u.F', over U_m */
-            const SHI_V e = SHI_FMA(-z, b, d);                                                 /* F'_z - z u.F' */
+            const SHI_V e = SHI_FNMA(z, b, d);                                                 /* F'_z - z u.F' */
             const int at = l * l + l;
             if (m == 0) {
                 SHI_PUT(y + at * y_stride, q, single);
@@ -2053,9 +2068,9 @@ SHI_KERNEL void SHI_BN(shi_hessian)(int n, int single, const SHI_V u[4], SHI_V i
             of[0] = b;
             of[1] = q;
             of[2] = d;
-            of[3] = SHI_FMA(-z, b, d);
+            of[3] = SHI_FNMA(z, b, d);
             of[4] = b + half;
-            of[5] = SHI_FMA(-z, of[4], wz + d);
+            of[5] = SHI_FNMA(z, of[4], wz + d);
             of[6] = e - b;
             SHI_BN(shi_second)(single, u, i, of, cosine, y + (at + m) * y_stride, g + (at + m) * g_stride, g_plane,
                                h + (at + m) * stride, plane);
@@ -2079,14 +2094,17 @@ SHI_KERNEL int SHI_BN(shi_blocks)(int n, int planes, size_t blocks, const SHI_T 
     for (b = 0; b < blocks; b++) {
         SHI_UNROLL
         for (i = 0; i < SHI_IN_BLOCK; i++) now[i] = next[i];
-        for (i = 0; i < SHI_IN_BLOCK && b + 1 < blocks; i++)
+        for (i = 0; i < SHI_IN_BLOCK && b + 1 < blocks && planes != SH_GRADIENT; i++)
             SHI_KN(shi_direct_block)(dirs + (b + 1) * (3 * SH_BLOCK) + i * SHI_W, &next[i]);
         for (i = 0; i < SHI_IN_BLOCK; i++) {
+            const SHI_T *const ahead = b + 1 < blocks ? dirs + (b + 1) * (3 * SH_BLOCK) + i * SHI_W : NULL;
             SHI_T *const yb = y + b * yn + (ys ? i * SHI_W : 0), *const gb = g + b * gn + (gs ? i * SHI_W : 0);
             SHI_T *const hb = h + b * hn + (hs ? i * SHI_W : 0);
-            if (SHI_RARELY(!now[i].good)) all_good = 0;
-            else if (planes == SH_VALUES) SHI_BN(shi_values)(n, 0, now[i].u, yb, ys);
-            else if (planes == SH_GRADIENT) SHI_BN(shi_gradient)(n, 0, now[i].u, now[i].inverse, yb, ys, gb, gs);
+            if (SHI_RARELY(!now[i].good)) {
+                all_good = 0;
+                if (ahead && planes == SH_GRADIENT) SHI_KN(shi_direct_block)(ahead, &next[i]);
+            } else if (planes == SH_VALUES) SHI_BN(shi_values)(n, 0, now[i].u, yb, ys);
+            else if (planes == SH_GRADIENT) SHI_BN(shi_gradient)(n, 0, now[i].u, now[i].inverse, yb, ys, gb, gs, ahead, &next[i]);
             else SHI_BN(shi_hessian)(n, 0, now[i].u, now[i].inverse, yb, ys, gb, gs, hb, hs);
         }
     }
@@ -2328,7 +2346,7 @@ SHI_KERNEL int SHI_KN(shi_one_line)(int n, int planes, const SHI_T d[3], SHI_T *
             b = SHI_FMA(u[2], e, SHI_LOAD(order) * sloped);
             SHI_KN(shi_put_line)(n, at, SHI_FMA((-u[0] * i) * f, b, sloped * SHI_KN(shi_line_spread)(n, k, ux, vx)), g);
             SHI_KN(shi_put_line)(n, at, SHI_FMA((-u[1] * i) * f, b, sloped * SHI_KN(shi_line_spread)(n, k, uy, ux)), g + n * n);
-            SHI_KN(shi_put_line)(n, at, (i * f) * SHI_FMA(-u[2], b, e), g + 2 * n * n);
+            SHI_KN(shi_put_line)(n, at, (i * f) * SHI_FNMA(u[2], b, e), g + 2 * n * n);
         }
     }
     return 1;
@@ -2344,7 +2362,7 @@ SHI_KERNEL int SHI_BN(shi_one)(int n, int planes, const SHI_T d[3], SHI_T *y, in
     for (k = 0; k < 3; k++) v[k] = SHI_SPLAT(d[k]);
     if (!SHI_KN(shi_unit)(v, 1, u, &inverse)) return 0;
     if (planes == SH_VALUES) SHI_BN(shi_values)(n, 1, u, y, ys);
-    else if (planes == SH_GRADIENT) SHI_BN(shi_gradient)(n, 1, u, inverse, y, ys, g, gs);
+    else if (planes == SH_GRADIENT) SHI_BN(shi_gradient)(n, 1, u, inverse, y, ys, g, gs, NULL, NULL);
     else SHI_BN(shi_hessian)(n, 1, u, inverse, y, ys, g, gs, h, hs);
     return 1;
 }
