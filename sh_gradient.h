@@ -1223,7 +1223,7 @@ SHI_NOINLINE int SHI_KN(shi_single_hessian)(int n, const SHI_T v[3], SHI_T *y, S
  * (1 + sqrt 2)^(l/2) at worst (52 at l = 9), in z by its square. Beyond, the columns of the basis run beside the sums. */
 
 /* a[parity of l][k][cos, then sin][m]: coefficient of t^k in column m's polynomial times (-1)^m, W orders m at a time */
-SHI_NOINLINE void SHI_KN(shi_horner_form)(int n, const SHI_T *coeffs, SHI_T *a)
+SHI_KERNEL int SHI_KN(shi_horner_form_fixed)(int n, const SHI_T *coeffs, SHI_T *a)
 {
     static const SHI_T signs[17] = { 1, -1, 1, -1, 1, -1, 1, -1, 1, -1, 1, -1, 1, -1, 1, -1, 1 };
     SHI_T padded[SHI_POLYNOMIAL_BANDS * SHI_POLYNOMIAL_BANDS + 2 * SHI_W];
@@ -1232,17 +1232,21 @@ SHI_NOINLINE void SHI_KN(shi_horner_form)(int n, const SHI_T *coeffs, SHI_T *a)
     SHI_STORE(padded, zero);
     memcpy(padded + SHI_W, coeffs, (size_t)(n * n) * sizeof *coeffs);
     SHI_STORE(padded + SHI_W + n * n, zero);
+    SHI_UNROLL
     for (first = 0; first < n; first += SHI_W) {
         const SHI_V sign = SHI_LOAD(signs + (first & 1));
         SHI_V c[SHI_POLYNOMIAL_BANDS], s[SHI_POLYNOMIAL_BANDS];
+        SHI_UNROLL
         for (l = first; l < n; l++) {
             const SHI_T *const middle = padded + SHI_W + l * (l + 1);
             const SHI_M has = (SHI_M)(SHI_KN(shi_orders)() <= SHI_SPLAT(SHI_C(l - first)));
             c[l] = SHI_SELECT(has, SHI_LOAD(middle + first), zero);
             s[l] = SHI_SELECT(has, SHI_KN(shi_reverse)(SHI_LOAD(middle - first - (SHI_W - 1))), zero);
         }
+        SHI_UNROLL
         for (k = 0; k < n; k++) {                                       /* parity k & 1, power k / 2 */
             SHI_V p = zero, q = zero;
+            SHI_UNROLL
             for (l = k > first ? k : first + ((first + k) & 1); l < n; l += 2) {
                 const SHI_V h = SHI_LOAD(&SHI_HORNER(l, first, k / 2));
                 p = SHI_FMA(h, c[l], p);
@@ -1252,6 +1256,16 @@ SHI_NOINLINE void SHI_KN(shi_horner_form)(int n, const SHI_T *coeffs, SHI_T *a)
             SHI_STORE(a + SHI_FORM_AT(k & 1, k / 2, 1, first), sign * q);
         }
     }
+    return 1;
+}
+SHI_KERNEL int SHI_KN(shi_horner_form_any)(int n, const SHI_T *coeffs, SHI_T *a)       /* there is none beyond */
+{
+    (void)n, (void)coeffs, (void)a;
+    return 0;
+}
+SHI_NOINLINE int SHI_KN(shi_horner_form)(int n, const SHI_T *coeffs, SHI_T *a)
+{
+    SHI_BANDS(n, SHI_KN(shi_horner_form_fixed), SHI_KN(shi_horner_form_any), coeffs, a)
 }
 
 #if SHI_LANES == 1
