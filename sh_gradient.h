@@ -835,7 +835,8 @@ SHI_KERNEL int SHI_KN(shi_unit)(const SHI_V v[3], int alone, SHI_V u[4], SHI_V *
 {
     SHI_V r2;
     const SHI_V e = SHI_KN(shi_excess)(v, &r2), off = SHI_ABS(e);
-    const int is_near = alone ? SHI_ONE(shi_in_range)(SHI_KN(shi_first)(off), 0, SHI_NEAR) : SHI_KN(shi_in_range)(off, 0, SHI_NEAR);
+    const int is_near = alone ? SHI_ONE(shi_in_range)(SHI_KN(shi_first)(off), 0, SHI_NEAR)
+                              : SHI_KN(shi_in_range)(off, 0, SHI_NEAR);
     if (SHI_RARELY(!is_near)) {
         const SHI_M near = alone ? SHI_BITS_OF(SHI_SPLAT(0)) : (SHI_M)(off <= SHI_SPLAT(SHI_NEAR));
         const SHI_V length2 = SHI_FMA(v[2], v[2], r2), scale = SHI_SELECT(near, SHI_SPLAT(1), SHI_RSQRT_ROUGHLY(length2));
@@ -1177,7 +1178,8 @@ SHI_NOINLINE int SHI_KN(shi_angles)(int n, size_t count, const SHI_T *theta, con
 }
 
 /* the looped bodies, for one; apart, or the short bodies would set up their stack too */
-SHI_NOINLINE int SHI_KN(shi_single_any)(int n, int planes, const SHI_T v[3], SHI_T *y, int ys, SHI_T *g, int gs, SHI_T *h, int hs)
+SHI_NOINLINE int SHI_KN(shi_single_any)(int n, int planes, const SHI_T v[3], SHI_T *y, int ys, SHI_T *g, int gs,
+                                        SHI_T *h, int hs)
 {
     return planes == SH_VALUES   ? SHI_KN(shi_one_any)(n, SH_VALUES, v, y, ys, g, 0, h, 0)
          : planes == SH_GRADIENT ? SHI_KN(shi_one_any)(n, SH_GRADIENT, v, y, ys, g, gs, h, 0)
@@ -1206,14 +1208,15 @@ SHI_NOINLINE int SHI_KN(shi_single_gradient)(int n, const SHI_T v[3], SHI_T *y, 
 {
     SHI_T discard[3 * SH_UNROLLED_BANDS * SH_UNROLLED_BANDS];
     if (n > SH_UNROLLED_BANDS)
-        return SHI_KN(shi_single_any)(n, SH_GRADIENT, v, y ? y : discard, y != NULL, g ? g : discard, g != NULL, discard, 0);
+        return SHI_KN(shi_single_any)(n, SH_GRADIENT, v, y ? y : discard, y != NULL, g ? g : discard, g != NULL,
+                                      discard, 0);
     return SHI_KN(shi_single_both)(n, v, y ? y : discard, g ? g : discard);
 }
 SHI_NOINLINE int SHI_KN(shi_single_hessian)(int n, const SHI_T v[3], SHI_T *y, SHI_T *g, SHI_T *h)
 {
     SHI_T discard;
-    return SHI_KN(shi_single_any)(n, SH_HESSIAN, v, y ? y : &discard, y != NULL, g ? g : &discard, g != NULL, h ? h : &discard,
-                                  h != NULL);
+    return SHI_KN(shi_single_any)(n, SH_HESSIAN, v, y ? y : &discard, y != NULL, g ? g : &discard, g != NULL,
+                                  h ? h : &discard, h != NULL);
 }
 
 /* ---- sum c_i Y_i at W directions, the basis never stored ----
@@ -1896,8 +1899,8 @@ SHI_NOINLINE void SHI_KN(shi_columns)(int m, int n, const SHI_V a[3], SHI_V (*co
     }
 }
 /* times U and V, to y; order 0 puts its sine where its cosine comes */
-SHI_KERNEL void SHI_KN(shi_run_put)(int l, int m, int started, int single, const SHI_V *q, const SHI_V *c, const SHI_V *s,
-                                    SHI_T *y, int stride)
+SHI_KERNEL void SHI_KN(shi_run_put)(int l, int m, int started, int single, const SHI_V *q, const SHI_V *c,
+                                    const SHI_V *s, SHI_T *y, int stride)
 {
     SHI_T *const up = y + (l * l + l + m) * stride, *const down = y + (l * l + l - m) * stride;
     int j;
@@ -2117,9 +2120,13 @@ SHI_KERNEL int SHI_BN(shi_blocks)(int n, int planes, size_t blocks, const SHI_T 
             if (SHI_RARELY(!now[i].good)) {
                 all_good = 0;
                 if (ahead && planes == SH_GRADIENT) SHI_KN(shi_direct_block)(ahead, &next[i]);
-            } else if (planes == SH_VALUES) SHI_BN(shi_values)(n, 0, now[i].u, yb, ys);
-            else if (planes == SH_GRADIENT) SHI_BN(shi_gradient)(n, 0, now[i].u, now[i].inverse, yb, ys, gb, gs, ahead, &next[i]);
-            else SHI_BN(shi_hessian)(n, 0, now[i].u, now[i].inverse, yb, ys, gb, gs, hb, hs);
+            } else if (planes == SH_VALUES) {
+                SHI_BN(shi_values)(n, 0, now[i].u, yb, ys);
+            } else if (planes == SH_GRADIENT) {
+                SHI_BN(shi_gradient)(n, 0, now[i].u, now[i].inverse, yb, ys, gb, gs, ahead, &next[i]);
+            } else {
+                SHI_BN(shi_hessian)(n, 0, now[i].u, now[i].inverse, yb, ys, gb, gs, hb, hs);
+            }
         }
     }
     for (b = 0; b < blocks && SHI_RARELY(!all_good); b++)
@@ -2158,6 +2165,7 @@ SHI_KERNEL void SHI_BN(shi_angles)(int n, SHI_V ct, SHI_V st, SHI_V cp, SHI_V sp
         SHI_LOOP
         for (l = m; l < n; l++) {
             const SHI_T norm = SHI_FN(shi_norm)[SHI_ROWS(l, m)], beta = SHI_FN(shi_beta)[SHI_ROWS(l, m)];
+            const SHI_T step = SHI_FN(shi_step)[SHI_ROWS(l, m)];
             const int at = l * l + l;
             SHI_V q, t;
             if (l > m) {
@@ -2166,7 +2174,7 @@ SHI_KERNEL void SHI_BN(shi_angles)(int n, SHI_V ct, SHI_V st, SHI_V cp, SHI_V sp
                 q1 = next;
                 t0 = t1;
                 t1 = slope;
-                d = SHI_FMA(SHI_FN(shi_step)[SHI_ROWS(l, m)] * near, p, (SHI_C(-1) - SHI_FN(shi_step)[SHI_ROWS(l, m)]) * d);
+                d = SHI_FMA(step * near, p, (SHI_C(-1) - step) * d);
                 p = p + d;
             }
             q = SHI_FN(shi_pole)[SHI_ROWS(l, m)] * ((l - m) & 1 ? side * p : p);
@@ -2260,7 +2268,10 @@ SHI_KERNEL SHI_V SHI_KN(shi_line_spread)(int n, int k, const SHI_V *u, const SHI
     SHI_V out;
     int beyond[SHI_W], r, i;
     SHI_UNROLL
-    for (i = 0; i < SHI_W; i++) lane[i] = shi_abs(shi_order_of[at + i]) % SHI_W + (shi_order_of[at + i] < 0 ? SHI_W : 0);
+    for (i = 0; i < SHI_W; i++) {
+        const int m = shi_order_of[at + i];
+        lane[i] = shi_abs(m) % SHI_W + (m < 0 ? SHI_W : 0);
+    }
     memcpy(&from, lane, sizeof from);
     out = SHI_KN(shi_choose)(u[0], v[0], from);
     SHI_UNROLL
@@ -2283,8 +2294,8 @@ SHI_KERNEL SHI_V SHI_KN(shi_line_column)(int n, int k, const SHI_V u[4])
     for (i = 0; i < SHI_W; i++) odd[i] = (shi_band_of[at + i] - shi_order_of[at + i]) & 1;
     return q * SHI_KN(shi_blend)(odd, u[2], SHI_SPLAT(1));
 }
-/* from q_l^|m| to q_l^{|m|+1}, which stands at the orders |m|+1 and -|m|-1: in the same register if it can. The last
- * order, |m| = l, keeps its own, which is positive */
+/* from q_l^|m| to q_l^{|m|+1}, which stands at the orders |m|+1 and -|m|-1: from the same register if it is in it. The
+ * last order, |m| = l, keeps its own, which is positive */
 SHI_KERNEL SHI_V SHI_KN(shi_line_next)(int n, int k, const SHI_V *q)
 {
     const int at = SHI_KN(shi_line_at)(n, k);
@@ -2292,17 +2303,18 @@ SHI_KERNEL SHI_V SHI_KN(shi_line_next)(int n, int k, const SHI_V *q)
     int r, i;
     SHI_UNROLL
     for (r = k - 1; r <= k + 1; r++) {
-        const int start = SHI_KN(shi_line_at)(n, r);
+        const int first = SHI_KN(shi_line_at)(n, r), exists = r >= 0 && 1 + r * SHI_W < n * n;
         SHI_I lane[SHI_W];
         SHI_M from;
         int any = 0;
         SHI_UNROLL
         for (i = 0; i < SHI_W; i++) {
-            const int l = shi_band_of[at + i], m = shi_abs(shi_order_of[at + i]), up = l * (l + 1) + m + 1, down = up - 2 * m - 2;
-            const int here = (up >= at && up < at + SHI_W) || (down >= at && down < at + SHI_W);
-            const int near = up >= start && up < start + SHI_W ? up : down;
-            const int has = r >= 0 && 1 + r * SHI_W < n * n && m < l && near >= start && near < start + SHI_W && (r == k || !here);
-            lane[i] = has ? SHI_W + near - start : i;
+            const int l = shi_band_of[at + i], m = shi_abs(shi_order_of[at + i]);
+            const int up = l * (l + 1) + m + 1, down = l * (l + 1) - m - 1;
+            const int is_here = (up >= at && up < at + SHI_W) || (down >= at && down < at + SHI_W);
+            const int near = up >= first && up < first + SHI_W ? up - first : down - first;
+            const int has = exists && m < l && (r == k || !is_here) && near >= 0 && near < SHI_W;
+            lane[i] = has ? SHI_W + near : i;
             any |= has;
         }
         memcpy(&from, lane, sizeof from);
@@ -2315,13 +2327,16 @@ SHI_KERNEL SHI_V SHI_KN(shi_line_next)(int n, int k, const SHI_V *q)
  * nothing, when the direction is out of range */
 SHI_KERNEL int SHI_KN(shi_one_line)(int n, int planes, const SHI_T d[3], SHI_T *y, SHI_T *g)
 {
-    SHI_V v[3], u[4], i, q[SHI_LINE_REGISTERS], c[SHI_ORDER_REGISTERS], s[SHI_ORDER_REGISTERS];
-    SHI_V ux[SHI_ORDER_REGISTERS], uy[SHI_ORDER_REGISTERS], vx[SHI_ORDER_REGISTERS];     /* dU/dx = dV/dy, dU/dy, dV/dx */
+    SHI_V v[3], u[4], i, xi, vi, q[SHI_LINE_REGISTERS], c[SHI_ORDER_REGISTERS], s[SHI_ORDER_REGISTERS];
+    /* dU/dx = dV/dy, dU/dy, dV/dx, times 1/|v| */
+    SHI_V ux[SHI_ORDER_REGISTERS], uy[SHI_ORDER_REGISTERS], vx[SHI_ORDER_REGISTERS];
     int r, k, j;
     v[0] = SHI_KEEP(SHI_SPLAT(d[0]));           /* or gcc multiplies before it spreads */
     v[1] = SHI_KEEP(SHI_SPLAT(d[1]));
     v[2] = SHI_KEEP(SHI_SPLAT(d[2]));
     if (!SHI_KN(shi_unit)(v, 1, u, &i)) return 0;
+    xi = -u[0] * i;
+    vi = -u[1] * i;
     SHI_KN(shi_line_powers)(n, u, c, s);
     y[0] = SHI_HORNER(0, 0, 0);
     if (planes == SH_GRADIENT) {
@@ -2347,20 +2362,20 @@ SHI_KERNEL int SHI_KN(shi_one_line)(int n, int planes, const SHI_T d[3], SHI_T *
         const SHI_V f = SHI_KN(shi_line_spread)(n, k, c, s);
         SHI_KN(shi_put_line)(n, at, q[k] * f, y);
         if (planes == SH_GRADIENT) {
-            const SHI_V e = SHI_LOAD(SHI_FN(shi_line_slope) + at) * SHI_KN(shi_line_next)(n, k, q);
+            const SHI_V d = SHI_LOAD(SHI_FN(shi_line_slope) + at) * SHI_KN(shi_line_next)(n, k, q);
             SHI_T order[SHI_W];
-            SHI_V b, sloped;
+            SHI_V b, qm;                                    /* qm: no such terms in shi_gradient for m = 0 */
             int zonal[SHI_W];
             SHI_UNROLL
             for (j = 0; j < SHI_W; j++) {
                 zonal[j] = shi_order_of[at + j] == 0;
                 order[j] = SHI_C(shi_abs(shi_order_of[at + j]));
             }
-            sloped = SHI_KN(shi_blend)(zonal, SHI_SPLAT(0), q[k]);       /* shi_gradient has no such terms for m = 0 */
-            b = SHI_FMA(u[2], e, SHI_LOAD(order) * sloped);
-            SHI_KN(shi_put_line)(n, at, SHI_FMA((-u[0] * i) * f, b, sloped * SHI_KN(shi_line_spread)(n, k, ux, vx)), g);
-            SHI_KN(shi_put_line)(n, at, SHI_FMA((-u[1] * i) * f, b, sloped * SHI_KN(shi_line_spread)(n, k, uy, ux)), g + n * n);
-            SHI_KN(shi_put_line)(n, at, (i * f) * SHI_FNMA(u[2], b, e), g + 2 * n * n);
+            qm = SHI_KN(shi_blend)(zonal, SHI_SPLAT(0), q[k]);
+            b = SHI_FMA(u[2], d, SHI_LOAD(order) * qm);
+            SHI_KN(shi_put_line)(n, at, SHI_FMA(xi * f, b, qm * SHI_KN(shi_line_spread)(n, k, ux, vx)), g);
+            SHI_KN(shi_put_line)(n, at, SHI_FMA(vi * f, b, qm * SHI_KN(shi_line_spread)(n, k, uy, ux)), g + n * n);
+            SHI_KN(shi_put_line)(n, at, (i * f) * SHI_FNMA(u[2], b, d), g + 2 * n * n);
         }
     }
     return 1;
@@ -2750,8 +2765,9 @@ SH_API int SHI_FN(sh_eval_grad)(int bands, const SHI_T v[3], SHI_T *y, SHI_T *gr
 {
     const int status = SHI_FN(shi_check_basis)(bands, 1, v, v, y, grad, NULL);
     if (status) return status;
-    if (y && grad ? SHI_MANY(shi_single_both)(bands, v, y, grad) : SHI_MANY(shi_single_gradient)(bands, v, y, grad)) return SH_OK;
-    return SHI_FN(shi_direction_status)(v);
+    if (!(y && grad ? SHI_MANY(shi_single_both)(bands, v, y, grad) : SHI_MANY(shi_single_gradient)(bands, v, y, grad)))
+        return SHI_FN(shi_direction_status)(v);
+    return SH_OK;
 }
 
 /* Many: v[count][3], y[count][N] or NULL, grad[count][3][N] or NULL. */
@@ -4047,7 +4063,7 @@ static const SHI_T SHI_FN(shi_zonal)[34] = {
     SHI_C(2.129768972944957), SHI_C(2.1668112103298047), SHI_C(2.203230756026887),
     SHI_C(2.2390579955406924), SHI_C(2.274320920733615), SHI_C(2.309045385777095)
 };
-/* [100 k + l(l+1) + m]: q_l^|m| = z^((l-m)&1) sum_k c_k (z^2 - 1/2)^k, norm included; registers may read past the end */
+/* [100 k + l(l+1) + m]: q_l^|m| = z^((l-m)&1) sum_k c_k (z^2 - 1/2)^k, norm included; and room to read a register */
 static const SHI_T SHI_FN(shi_horner)[516] = {
     SHI_C(0.28209479177387814), SHI_C(0.4886025119029199), SHI_C(0.4886025119029199),
     SHI_C(0.4886025119029199), SHI_C(0.5462742152960396), SHI_C(1.0925484305920792),

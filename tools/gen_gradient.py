@@ -113,7 +113,7 @@ def block():
         table("shi_reciprocal", 2 * TOP + 2, "[l]: 1/l, l >= 1", [mpf(0)] + [1 / mpf(l) for l in range(1, 2 * TOP + 2)]),
         table("shi_zonal", TOP + 1, "[l]: Y_l0(+z) = sqrt((2l+1)/(4 pi))", [sqrt((2 * l + 1) / (4 * pi)) for l in range(TOP + 1)]),
         table("shi_horner", len(flat) + 16, "[100 k + l(l+1) + m]: q_l^|m| = z^((l-m)&1) sum_k c_k (z^2 - 1/2)^k, norm included; "
-              "registers may read past the end", flat + [mpf(0)] * 16),
+              "and room to read a register", flat + [mpf(0)] * 16),
         table("shi_line_slope", len(line), "[l(l+1) + m]: shi_slope by coefficient", [sqrt(frac(slope2(l, m))) for l, m in line]),
     ])
 
