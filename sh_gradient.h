@@ -2362,7 +2362,7 @@ SHI_KERNEL int SHI_KN(shi_one_line)(int n, int planes, const SHI_T d[3], SHI_T *
         const SHI_V f = SHI_KN(shi_line_spread)(n, k, c, s);
         SHI_KN(shi_put_line)(n, at, q[k] * f, y);
         if (planes == SH_GRADIENT) {
-            const SHI_V d = SHI_LOAD(SHI_FN(shi_line_slope) + at) * SHI_KN(shi_line_next)(n, k, q);
+            const SHI_V dq = SHI_LOAD(SHI_FN(shi_line_slope) + at) * SHI_KN(shi_line_next)(n, k, q);
             SHI_T order[SHI_W];
             SHI_V b, qm;                                    /* qm: no such terms in shi_gradient for m = 0 */
             int zonal[SHI_W];
@@ -2372,10 +2372,10 @@ SHI_KERNEL int SHI_KN(shi_one_line)(int n, int planes, const SHI_T d[3], SHI_T *
                 order[j] = SHI_C(shi_abs(shi_order_of[at + j]));
             }
             qm = SHI_KN(shi_blend)(zonal, SHI_SPLAT(0), q[k]);
-            b = SHI_FMA(u[2], d, SHI_LOAD(order) * qm);
+            b = SHI_FMA(u[2], dq, SHI_LOAD(order) * qm);
             SHI_KN(shi_put_line)(n, at, SHI_FMA(xi * f, b, qm * SHI_KN(shi_line_spread)(n, k, ux, vx)), g);
             SHI_KN(shi_put_line)(n, at, SHI_FMA(vi * f, b, qm * SHI_KN(shi_line_spread)(n, k, uy, ux)), g + n * n);
-            SHI_KN(shi_put_line)(n, at, (i * f) * SHI_FNMA(u[2], b, d), g + 2 * n * n);
+            SHI_KN(shi_put_line)(n, at, (i * f) * SHI_FNMA(u[2], b, dq), g + 2 * n * n);
         }
     }
     return 1;

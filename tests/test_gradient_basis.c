@@ -372,7 +372,8 @@ static void F(batches)(void **state)
 {
     enum { COUNT = 37, BLOCKS = (COUNT + SH_BLOCK - 1) / SH_BLOCK };
     static const int some[] = { 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 16, 17, 31, 32 };
-    static T dirs[3 * COUNT], blocked[BLOCKS * 3 * SH_BLOCK], y1[MAX], g1[3 * MAX], h1[6 * MAX], t[COUNT], p[COUNT];
+    static T dirs[3 * COUNT], blocked[BLOCKS * 3 * SH_BLOCK], t[COUNT], p[COUNT];
+    static T y1[MAX + 1], g1[3 * MAX + 1], h1[6 * MAX + 1];
     static T y[COUNT * MAX + 1], g[3 * COUNT * MAX + 1], h[6 * COUNT * MAX + 1];
     static T yb[BLOCKS * SH_BLOCK * MAX + 1], gb[3 * BLOCKS * SH_BLOCK * MAX + 1], hb[6 * BLOCKS * SH_BLOCK * MAX + 1];
     const T guard = (T)12345;
@@ -396,6 +397,13 @@ static void F(batches)(void **state)
     for (turn = 0; turn < sizeof some / sizeof *some; turn++) {
         const int bands = some[turn];
         const size_t n2 = (size_t)(bands * bands);
+        for (c = 0; c < COUNT; c++) {                                    /* single calls stay within their outputs too */
+            y1[n2] = g1[3 * n2] = h1[6 * n2] = guard;
+            assert_int_equal(F(sh_eval)(bands, dirs + 3 * c, y1), SH_OK);
+            assert_int_equal(F(sh_eval_grad)(bands, dirs + 3 * c, y1, g1), SH_OK);
+            assert_int_equal(F(sh_eval_hessian)(bands, dirs + 3 * c, y1, g1, h1), SH_OK);
+            assert_true(y1[n2] == guard && g1[3 * n2] == guard && h1[6 * n2] == guard);
+        }
         for (count = 0; count <= COUNT; count += count < 10 ? 1 : 9) {
             y[count * n2] = g[3 * count * n2] = h[6 * count * n2] = guard;
             assert_int_equal(F(sh_eval_hessian_n)(bands, count, dirs, y, g, h), SH_OK);
