@@ -450,11 +450,6 @@ SHI_KERNEL SHI_V SHI_KN(shi_flip)(SHI_V v, SHI_M signs)     /* -v where the sign
     memcpy(&v, &m, sizeof v);
     return v;
 }
-SHI_KERNEL SHI_V SHI_KN(shi_orders)(void)           /* 0 1 2 ... */
-{
-    static const SHI_T m[16] = { 0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15 };
-    return SHI_LOAD(m);
-}
 SHI_KERNEL SHI_V SHI_KN(shi_reverse)(SHI_V v)
 {
 #if SHI_LANES == 1
@@ -1242,7 +1237,12 @@ SHI_KERNEL int SHI_KN(shi_horner_form_fixed)(int n, const SHI_T *coeffs, SHI_T *
         SHI_UNROLL
         for (l = first; l < n; l++) {
             const SHI_T *const middle = padded + SHI_W + l * (l + 1);
-            const SHI_M has = (SHI_M)(SHI_KN(shi_orders)() <= SHI_SPLAT(SHI_C(l - first)));
+            SHI_I lane[SHI_W];                                          /* no comparison: gcc 12 -O1 breaks down on it */
+            SHI_M has;
+            int i;
+            SHI_UNROLL
+            for (i = 0; i < SHI_W; i++) lane[i] = first + i <= l ? -1 : 0;
+            memcpy(&has, lane, sizeof has);
             c[l] = SHI_SELECT(has, SHI_LOAD(middle + first), zero);
             s[l] = SHI_SELECT(has, SHI_KN(shi_reverse)(SHI_LOAD(middle - first - (SHI_W - 1))), zero);
         }
