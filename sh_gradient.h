@@ -2275,10 +2275,10 @@ SHI_KERNEL SHI_V SHI_KN(shi_line_spread)(int n, int k, const SHI_V *u, const SHI
     memcpy(&from, lane, sizeof from);
     out = SHI_KN(shi_choose)(u[0], v[0], from);
     SHI_UNROLL
-    for (r = 1; r * SHI_W <= top; r++) {
+    for (r = 1; r < SHI_ORDER_REGISTERS; r++) {             /* a number of turns that clang knows before `at` */
         SHI_UNROLL
         for (i = 0; i < SHI_W; i++) beyond[i] = shi_abs(shi_order_of[at + i]) >= r * SHI_W;
-        out = SHI_KN(shi_blend)(beyond, SHI_KN(shi_choose)(u[r], v[r], from), out);
+        if (r * SHI_W <= top) out = SHI_KN(shi_blend)(beyond, SHI_KN(shi_choose)(u[r], v[r], from), out);
     }
     return out;
 }
@@ -2289,7 +2289,8 @@ SHI_KERNEL SHI_V SHI_KN(shi_line_column)(int n, int k, const SHI_V u[4])
     SHI_V q = SHI_LOAD(&SHI_HORNER(0, at, top / 2));
     int odd[SHI_W], i;
     SHI_UNROLL
-    for (i = top / 2 - 1; i >= 0; i--) q = SHI_FMA(q, u[3], SHI_LOAD(&SHI_HORNER(0, at, i)));
+    for (i = SHI_POLYNOMIAL_BANDS / 2 - 2; i >= 0; i--)
+        if (i < top / 2) q = SHI_FMA(q, u[3], SHI_LOAD(&SHI_HORNER(0, at, i)));
     SHI_UNROLL
     for (i = 0; i < SHI_W; i++) odd[i] = (shi_band_of[at + i] - shi_order_of[at + i]) & 1;
     return q * SHI_KN(shi_blend)(odd, u[2], SHI_SPLAT(1));
