@@ -2105,21 +2105,22 @@ SHI_KERNEL int SHI_BN(shi_blocks)(int n, int planes, size_t blocks, const SHI_T 
                                   SHI_T *g, size_t gn, int gs, SHI_T *h, size_t hn, int hs)
 {
     SHI_KN(shi_direction) now[SHI_IN_BLOCK], next[SHI_IN_BLOCK];
+    const int meanwhile = planes == SH_GRADIENT && SHI_IN_BLOCK == 1;      /* shi_gradient sees to it */
     int status = SH_OK, all_good = 1, i;
     size_t b;
     for (i = 0; i < SHI_IN_BLOCK && blocks > 0; i++) SHI_KN(shi_direct_block)(dirs + i * SHI_W, &next[i]);
     for (b = 0; b < blocks; b++) {
         SHI_UNROLL
         for (i = 0; i < SHI_IN_BLOCK; i++) now[i] = next[i];
-        for (i = 0; i < SHI_IN_BLOCK && b + 1 < blocks && planes != SH_GRADIENT; i++)
+        for (i = 0; i < SHI_IN_BLOCK && b + 1 < blocks && !meanwhile; i++)
             SHI_KN(shi_direct_block)(dirs + (b + 1) * (3 * SH_BLOCK) + i * SHI_W, &next[i]);
         for (i = 0; i < SHI_IN_BLOCK; i++) {
-            const SHI_T *const ahead = b + 1 < blocks ? dirs + (b + 1) * (3 * SH_BLOCK) + i * SHI_W : NULL;
+            const SHI_T *const ahead = meanwhile && b + 1 < blocks ? dirs + (b + 1) * (3 * SH_BLOCK) + i * SHI_W : NULL;
             SHI_T *const yb = y + b * yn + (ys ? i * SHI_W : 0), *const gb = g + b * gn + (gs ? i * SHI_W : 0);
             SHI_T *const hb = h + b * hn + (hs ? i * SHI_W : 0);
             if (SHI_RARELY(!now[i].good)) {
                 all_good = 0;
-                if (ahead && planes == SH_GRADIENT) SHI_KN(shi_direct_block)(ahead, &next[i]);
+                if (ahead) SHI_KN(shi_direct_block)(ahead, &next[i]);
             } else if (planes == SH_VALUES) {
                 SHI_BN(shi_values)(n, 0, now[i].u, yb, ys);
             } else if (planes == SH_GRADIENT) {
