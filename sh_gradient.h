@@ -798,7 +798,11 @@ SHI_KERNEL int SHI_KN(shi_in_range)(SHI_V v, SHI_T lo, SHI_T hi)
 {
     return !SHI_ANY(SHI_KN(shi_out_of)(v, lo, hi));
 }
-
+/* alone: the lanes hold one and the same */
+SHI_KERNEL int SHI_KN(shi_all_in_range)(SHI_V v, int alone, SHI_T lo, SHI_T hi)
+{
+    return alone ? SHI_ONE(shi_in_range)(SHI_KN(shi_first)(v), lo, hi) : SHI_KN(shi_in_range)(v, lo, hi);
+}
 
 /* |v|^2 - 1, and x^2 + y^2 */
 SHI_KERNEL SHI_V SHI_KN(shi_excess)(const SHI_V v[3], SHI_V *r2)
@@ -825,14 +829,12 @@ SHI_KERNEL SHI_V SHI_KN(shi_polish)(const SHI_V v[3], SHI_V e, SHI_V r2, const S
 }
 
 /* unit vectors and 1/length of vectors of any length; 0 if one is out of range. Nearly unit ones, the usual case,
- * have their own way, and get its bits in whatever company; alone: the lanes hold one and the same */
+ * have their own way, and get its bits in whatever company */
 SHI_KERNEL int SHI_KN(shi_unit)(const SHI_V v[3], int alone, SHI_V u[4], SHI_V *inverse)
 {
     SHI_V r2;
     const SHI_V e = SHI_KN(shi_excess)(v, &r2), off = SHI_ABS(e);
-    const int is_near = alone ? SHI_ONE(shi_in_range)(SHI_KN(shi_first)(off), 0, SHI_NEAR)
-                              : SHI_KN(shi_in_range)(off, 0, SHI_NEAR);
-    if (SHI_RARELY(!is_near)) {
+    if (SHI_RARELY(!SHI_KN(shi_all_in_range)(off, alone, 0, SHI_NEAR))) {
         const SHI_M near = alone ? SHI_BITS_OF(SHI_SPLAT(0)) : (SHI_M)(off <= SHI_SPLAT(SHI_NEAR));
         const SHI_V length2 = SHI_FMA(v[2], v[2], r2), scale = SHI_SELECT(near, SHI_SPLAT(1), SHI_RSQRT_ROUGHLY(length2));
         SHI_V w[3], left;
@@ -841,8 +843,7 @@ SHI_KERNEL int SHI_KN(shi_unit)(const SHI_V v[3], int alone, SHI_V u[4], SHI_V *
         w[2] = v[2] * scale;
         left = SHI_KN(shi_excess)(w, &r2);
         *inverse = SHI_FMA(scale, SHI_KN(shi_polish)(w, left, r2, &near, u), scale);
-        return alone ? SHI_ONE(shi_in_range)(SHI_KN(shi_first)(length2), SHI_MIN2, SHI_MAX2)
-                     : SHI_KN(shi_in_range)(length2, SHI_MIN2, SHI_MAX2);
+        return SHI_KN(shi_all_in_range)(length2, alone, SHI_MIN2, SHI_MAX2);
     }
     *inverse = SHI_C(1) + SHI_KN(shi_polish)(v, e, r2, NULL, u);
     return 1;
@@ -1814,7 +1815,7 @@ SHI_NOINLINE int SHI_KN(shi_moments_hessian)(int n, int channels, const SHI_T *p
  * ============================================================================================================= */
 #elif SHI_ROOM == SHI_BASIS
 
-/* what the columns need of a unit vector: z, and t or w with the sign of z */
+/* what the columns need of a unit vector: z, and t, or w and z's sign on a zero */
 SHI_KERNEL void SHI_BN(shi_polar)(const SHI_V u[4], SHI_V a[3])
 {
     a[0] = u[2];
