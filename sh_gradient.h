@@ -179,11 +179,30 @@ enum {
 
 #define SHI_INSTANTIATE 1       /* compile the rooms of SHI_FILE for every precision and lane type              */
 #define SHI_PRECISION   2       /* ... for one precision, SHI_BITS                                              */
-#define SHI_LANE_TYPE   3       /* ... for one lane type, SHI_LANES                                             */
-#define SHI_TABLES      4       /* once per precision                                                           */
-#define SHI_KERNELS     5       /* once per lane type                                                           */
-#define SHI_BASIS       6       /* the basis kernels, twice per lane type: unrolled, and for any band count     */
-#define SHI_PUBLIC      7       /* once per precision                                                           */
+#define SHI_TABLES      3       /* once per precision                                                           */
+#define SHI_KERNELS     4       /* once per lane type, SHI_LANES                                                */
+#define SHI_BASIS       5       /* the basis kernels, twice per lane type: unrolled, and for any band count     */
+#define SHI_PUBLIC      6       /* once per precision                                                           */
+
+/* kernels' names and leaf operations, by SHI_LANES */
+#define SHI_W           SHI_LANES
+#define SHI_KN(name)    SHI_CAT(SHI_CAT(SHI_FN(name), x), SHI_LANES)
+#define SHI_V           SHI_KN(shi_vector)
+#define SHI_M           SHI_KN(shi_mask)
+#define SHI_SPLAT(s)    SHI_KN(shi_splat)(s)
+#define SHI_LOAD(p)     SHI_KN(shi_load)(p)
+#define SHI_STORE(p, v) SHI_KN(shi_store)(p, v)
+#define SHI_PUT(p, v, single) SHI_KN(shi_put)(p, v, single)
+#define SHI_SQRT(v)     SHI_KN(shi_sqrt)(v)
+#define SHI_RSQRT(v)    SHI_KN(shi_rsqrt)(v)
+#define SHI_RSQRT_ROUGHLY(v) SHI_KN(shi_rsqrt_roughly)(v)
+#define SHI_FMA(a, b, c) SHI_KN(shi_fma)(a, b, c)
+#define SHI_FNMA(a, b, c) SHI_KN(shi_fnma)(a, b, c)
+#define SHI_ABS(v)      SHI_KN(shi_abs)(v)
+#define SHI_SUM(v)      SHI_KN(shi_sum)(v)
+#define SHI_ANY(m)      SHI_KN(shi_any)(m)
+#define SHI_KEEP(v)     SHI_KN(shi_keep)(v)
+#define SHI_BITS_OF(v)  SHI_KN(shi_bits)(v)
 
 /* what each status means, for people */
 SH_API const char *sh_status_string(int status)
@@ -294,12 +313,15 @@ static const signed char shi_order_of[SHI_LINE] = {
 #include SHI_FILE
 
 #undef  SHI_ROOM
-#define SHI_ROOM SHI_LANE_TYPE
+#define SHI_ROOM SHI_KERNELS
 #define SHI_BYTES (SHI_BITS / 8)
 #define SHI_LANES 1
-#include SH_GRADIENT_FILENAME
+#define SHI_SELECT(m, a, b) ((m) ? (a) : (b))
+#include SHI_FILE
 #undef  SHI_LANES
 #undef  SHI_BYTES
+#undef  SHI_SELECT
+#define SHI_SELECT(m, a, b) ((SHI_V)(((m) & (SHI_M)(a)) | (~(m) & (SHI_M)(b))))
 #if SH_VECTOR_BYTES
 #  define SHI_BYTES SH_VECTOR_BYTES
 #  if SH_VECTOR_BYTES * 8 / SHI_BITS == 2
@@ -310,7 +332,7 @@ static const signed char shi_order_of[SHI_LINE] = {
 #    define SHI_LANES 8
 #  endif
 #  define SHI_MANY_LANES SHI_LANES        /* tells kernels that they are the register-wide instance */
-#  include SH_GRADIENT_FILENAME
+#  include SHI_FILE
 #  undef  SHI_LANES
 #  undef  SHI_BYTES
 #  undef  SHI_MANY_LANES
@@ -322,10 +344,11 @@ static const signed char shi_order_of[SHI_LINE] = {
 #  else
 #    define SHI_LANES 16
 #  endif
-#  include SH_GRADIENT_FILENAME
+#  include SHI_FILE
 #  undef  SHI_LANES
 #  undef  SHI_BYTES
 #endif
+#undef  SHI_SELECT
 
 /* kernels by lane type: SHI_ONE one lane, SHI_MANY a register, SHI_WIDE the widest register */
 #if SH_VECTOR_BYTES == 0
@@ -362,64 +385,6 @@ static const signed char shi_order_of[SHI_LINE] = {
 #undef SHI_C
 #undef  SHI_ROOM
 #define SHI_ROOM SHI_PRECISION
-
-#elif SHI_ROOM == SHI_LANE_TYPE
-
-#define SHI_W           SHI_LANES
-#define SHI_KN(name)    SHI_CAT(SHI_CAT(SHI_FN(name), x), SHI_LANES)
-#define SHI_V           SHI_KN(shi_vector)
-#define SHI_M           SHI_KN(shi_mask)
-#define SHI_SPLAT(s)    SHI_KN(shi_splat)(s)
-#define SHI_LOAD(p)     SHI_KN(shi_load)(p)
-#define SHI_STORE(p, v) SHI_KN(shi_store)(p, v)
-#define SHI_PUT(p, v, single) SHI_KN(shi_put)(p, v, single)
-#define SHI_SQRT(v)     SHI_KN(shi_sqrt)(v)
-#define SHI_RSQRT(v)    SHI_KN(shi_rsqrt)(v)
-#define SHI_RSQRT_ROUGHLY(v) SHI_KN(shi_rsqrt_roughly)(v)
-#define SHI_FMA(a, b, c) SHI_KN(shi_fma)(a, b, c)
-#define SHI_FNMA(a, b, c) SHI_KN(shi_fnma)(a, b, c)
-#define SHI_ABS(v)      SHI_KN(shi_abs)(v)
-#define SHI_SUM(v)      SHI_KN(shi_sum)(v)
-#define SHI_ANY(m)      SHI_KN(shi_any)(m)
-#define SHI_KEEP(v)     SHI_KN(shi_keep)(v)
-#define SHI_BITS_OF(v)  SHI_KN(shi_bits)(v)
-#if SHI_LANES == 1
-#  define SHI_SELECT(m, a, b) ((m) ? (a) : (b))
-#else
-#  define SHI_SELECT(m, a, b) ((SHI_V)(((m) & (SHI_M)(a)) | (~(m) & (SHI_M)(b))))
-#endif
-
-#undef  SHI_ROOM
-#define SHI_ROOM SHI_KERNELS
-#include SHI_FILE
-
-#undef SHI_W
-#undef SHI_KN
-#undef SHI_V
-#undef SHI_M
-#undef SHI_SPLAT
-#undef SHI_LOAD
-#undef SHI_STORE
-#undef SHI_PUT
-#undef SHI_SQRT
-#undef SHI_RSQRT
-#undef SHI_RSQRT_ROUGHLY
-#undef SHI_FMA
-#undef SHI_FNMA
-#undef SHI_ABS
-#undef SHI_SUM
-#undef SHI_ANY
-#undef SHI_KEEP
-#undef SHI_LINES
-#undef SHI_PIECE
-#undef SHI_PICK
-#undef SHI_PICKS
-#undef SHI_JOIN
-#undef SHI_IN_PIECES
-#undef SHI_BITS_OF
-#undef SHI_SELECT
-#undef  SHI_ROOM
-#define SHI_ROOM SHI_LANE_TYPE
 
 /* ================================================================================================================
  * Kernels: once per lane type.
@@ -1800,6 +1765,13 @@ SHI_NOINLINE int SHI_KN(shi_moments_hessian)(int n, int channels, const SHI_T *p
 {
     return SHI_KN(shi_moments)(n, SHI_ALL_KINDS, channels, point, count, spheres, radiance, moments);
 }
+
+#undef SHI_LINES
+#undef SHI_PIECE
+#undef SHI_PICK
+#undef SHI_PICKS
+#undef SHI_JOIN
+#undef SHI_IN_PIECES
 
 /* ================================================================================================================
  * Basis: values, gradient, Hessian of W directions at once.
