@@ -605,6 +605,8 @@ SHI_KERNEL SHI_V SHI_KN(shi_choose)(SHI_V a, SHI_V b, SHI_M from)
     return v;
 #endif
 }
+#endif
+#endif
 /* a in the lanes with a flag, b in the others */
 SHI_KERNEL SHI_V SHI_KN(shi_blend)(const int *flags, SHI_V a, SHI_V b)
 {
@@ -612,14 +614,14 @@ SHI_KERNEL SHI_V SHI_KN(shi_blend)(const int *flags, SHI_V a, SHI_V b)
     SHI_M m;
     int i;
     SHI_UNROLL
-#if defined(__clang__)
-    for (i = 0; i < SHI_W; i++) lane[i] = flags[i] ? -1 : 0;
-    memcpy(&m, lane, sizeof m);
-    return SHI_SELECT(m, a, b);
-#else
+#if defined(SHI_LINES) && !defined(__clang__)
     for (i = 0; i < SHI_W; i++) lane[i] = flags[i] ? i : SHI_W + i;
     memcpy(&m, lane, sizeof m);
     return SHI_KN(shi_choose)(a, b, m);
+#else
+    for (i = 0; i < SHI_W; i++) lane[i] = flags[i] ? -1 : 0;
+    memcpy(&m, lane, sizeof m);
+    return SHI_SELECT(m, a, b);
 #endif
 }
 /* a in the lanes i with i & bits = value, b in the others */
@@ -630,8 +632,6 @@ SHI_KERNEL SHI_V SHI_KN(shi_where)(int bits, int value, SHI_V a, SHI_V b)
     for (i = 0; i < SHI_W; i++) flags[i] = (i & bits) == value;
     return SHI_KN(shi_blend)(flags, a, b);
 }
-#endif
-#endif
 
 /* a*b + c, rounded once where the target can: wherever a batch must have the bits of single calls, since what the compiler
  * contracts may differ from one inlined copy to the next. Elsewhere contraction is left to it. */
@@ -716,6 +716,48 @@ SHI_KERNEL void SHI_KN(shi_power)(int m, const SHI_V u[4], SHI_V *c, SHI_V *s)
         s[m] = s[m - h];
         SHI_KN(shi_turn)(c[h], s[h], &c[m], &s[m]);
     }
+}
+
+/* the same with the orders in the lanes: register r from order r W on */
+SHI_KERNEL void SHI_KN(shi_powers)(int n, const SHI_V u[4], SHI_V *c, SHI_V *s)
+{
+    SHI_V hc[SH_MAX_BANDS / 2 + 1], hs[SH_MAX_BANDS / 2 + 1];       /* of powers of two, in all lanes */
+    int r, h;
+    hc[1] = -u[0];
+    hs[1] = -u[1];
+    SHI_UNROLL
+    for (h = 2; h < SH_MAX_BANDS; h *= 2)
+        if (h < n) SHI_KN(shi_square)(hc[h / 2], hs[h / 2], &hc[h], &hs[h]);
+    c[0] = SHI_KN(shi_where)(1, 1, hc[1], SHI_SPLAT(1));
+    s[0] = SHI_KN(shi_where)(1, 1, hs[1], SHI_SPLAT(0));
+    SHI_UNROLL
+    for (h = 2; h < SHI_W; h *= 2) {
+        SHI_V tc = c[0], ts = s[0];
+        if (h < n - 1) SHI_KN(shi_turn)(hc[h], hs[h], &tc, &ts);
+        if (h < n) {
+            c[0] = SHI_KN(shi_where)(2 * h - 1, h, hc[h], SHI_KN(shi_where)(h, h, tc, c[0]));
+            s[0] = SHI_KN(shi_where)(2 * h - 1, h, hs[h], SHI_KN(shi_where)(h, h, ts, s[0]));
+        }
+    }
+    SHI_UNROLL
+    for (r = 1; r < SH_MAX_BANDS / SHI_W; r++) {
+        const int m = r * SHI_W, top = m >= 16 ? 16 : m >= 8 ? 8 : m >= 4 ? 4 : m >= 2 ? 2 : 1;
+        if (m < n) {
+            c[r] = c[r - top / SHI_W];
+            s[r] = s[r - top / SHI_W];
+            SHI_KN(shi_turn)(hc[top], hs[top], &c[r], &s[r]);
+            if (m == top) {
+                c[r] = SHI_KN(shi_where)(SHI_W - 1, 0, hc[top], c[r]);
+                s[r] = SHI_KN(shi_where)(SHI_W - 1, 0, hs[top], s[r]);
+            }
+        }
+    }
+    SHI_UNROLL
+    for (r = 0; r < SH_MAX_BANDS / SHI_W; r++)          /* or clang sees through them and takes lanes one by one */
+        if (r * SHI_W < n) {
+            c[r] = SHI_KEEP(c[r]);
+            s[r] = SHI_KEEP(s[r]);
+        }
 }
 
 /* |y - x|^2 - r^2 in twice the working precision, d = y - x: what is left decides everything near a light.
@@ -1872,21 +1914,21 @@ SHI_NOINLINE void SHI_KN(shi_columns)(int m, int n, const SHI_V a[3], SHI_V (*co
     }
 }
 /* times U and V, to y; order 0 puts its sine where its cosine comes */
-SHI_KERNEL void SHI_KN(shi_run_put)(int l, int m, int started, int single, const SHI_V *q, const SHI_V *c,
-                                    const SHI_V *s, SHI_T *y, int stride)
+SHI_KERNEL void SHI_KN(shi_run_put)(int l, int m, int started, const SHI_V *q, const SHI_V *c, const SHI_V *s, SHI_T *y,
+                                    int stride)
 {
     SHI_T *const up = y + (l * l + l + m) * stride, *const down = y + (l * l + l - m) * stride;
     int j;
     SHI_UNROLL
     for (j = 0; j < SHI_ABREAST; j++) {
         if (j < started) {
-            SHI_PUT(down - j * stride, q[j] * s[j], single);
-            SHI_PUT(up + j * stride, q[j] * c[j], single);
+            SHI_STORE(down - j * stride, q[j] * s[j]);
+            SHI_STORE(up + j * stride, q[j] * c[j]);
         }
     }
 }
-SHI_NOINLINE void SHI_KN(shi_columns_values)(int m, int n, int single, const SHI_V a[3], const SHI_V *c, const SHI_V *s,
-                                             SHI_T *y, int stride)
+SHI_NOINLINE void SHI_KN(shi_columns_values)(int m, int n, const SHI_V a[3], const SHI_V *c, const SHI_V *s, SHI_T *y,
+                                             int stride)
 {
     SHI_KN(shi_run) o;
     SHI_V q[SHI_ABREAST];
@@ -1896,12 +1938,12 @@ SHI_NOINLINE void SHI_KN(shi_columns_values)(int m, int n, int single, const SHI
     for (k = 0; k < SHI_ABREAST; k++) {
         if (m + k < n) {
             SHI_KN(shi_run_row)(m + k, m, k, &o, q);
-            SHI_KN(shi_run_put)(m + k, m, k + 1, single, q, c, s, y, stride);
+            SHI_KN(shi_run_put)(m + k, m, k + 1, q, c, s, y, stride);
         }
     }
     for (l = m + SHI_ABREAST; l < n; l++) {
         SHI_KN(shi_run_row)(l, m, SHI_ABREAST, &o, q);
-        SHI_KN(shi_run_put)(l, m, SHI_ABREAST, single, q, c, s, y, stride);
+        SHI_KN(shi_run_put)(l, m, SHI_ABREAST, q, c, s, y, stride);
     }
 }
 SHI_KERNEL void SHI_BN(shi_column)(int m, int n, const SHI_V a[3], SHI_V (*column)[SHI_COLUMN])
@@ -1935,10 +1977,11 @@ SHI_KERNEL void SHI_BN(shi_values)(int n, int single, const SHI_V u[4], SHI_T *y
 #else
     SHI_V a[3], c[SH_MAX_BANDS + SHI_ABREAST], s[SH_MAX_BANDS + SHI_ABREAST];
     int m, j;
+    (void)single;                               /* one direction goes by its orders */
     SHI_BN(shi_polar)(u, a);
     for (m = 0; m < n; m += SHI_ABREAST) {
         for (j = m; j < m + SHI_ABREAST; j++) SHI_KN(shi_power)(j, u, c, s);
-        SHI_KN(shi_columns_values)(m, n, single, a, c + m, s + m, y, stride);
+        SHI_KN(shi_columns_values)(m, n, a, c + m, s + m, y, stride);
     }
 #endif
 }
@@ -1994,82 +2037,234 @@ SHI_KERNEL void SHI_BN(shi_gradient)(int n, int single, const SHI_V u[4], SHI_V 
     }
 }
 
-/* one coefficient's value, gradient and Hessian. With P = q_l^m(z) U_m, t = P' - (u.P') u and p = P'' u + t - (u.P''u
- * + u.P') u / 2 the gradient of Y(v/|v|) is t / |v| and its Hessian (P'' - u p' - p u' - (u.P') I) / |v|^2; U_m is
- * homogeneous in x and y, so that all but U_m and its derivatives is shared by m and -m: of[] (u.P')/U, q, d, t_z/U,
- * s, p_z/U, (e - u.P')/U, with d, e the derivatives of q and p = U_x (u.P')/U - s U u. f[] = U, U_x, U_y, U_xx, U_xy;
- * i = 1/|v| in two steps: its square may overflow */
-SHI_KERNEL void SHI_BN(shi_second)(int single, const SHI_V u[4], SHI_V i, const SHI_V of[7], const SHI_V f[5],
-                                   SHI_T *y, SHI_T *g, int g_plane, SHI_T *out, int plane)
+#if !SHI_FIXED
+/* Value, gradient and Hessian of coefficients. With P = q_l^m(z) U_m, t = P' - (u.P') u and p = P'' u + t - (u.P''u + u.P')
+ * u / 2 the gradient of Y(v/|v|) is t / |v| and its Hessian (P'' - u p' - p u' - (u.P') I) / |v|^2; U_m is homogeneous in
+ * x and y, so that all but U_m and its derivatives is shared by m and -m: of[] (u.P')/U, q, d, t_z/U, s, p_z/U,
+ * (e - u.P')/U, with d, e the derivatives of q and p = U_x (u.P')/U - s U u */
+SHI_KERNEL void SHI_KN(shi_second_shared)(SHI_V z, SHI_V m, SHI_V q, SHI_V d, SHI_V e, SHI_V of[7])
+{
+    const SHI_V b = SHI_FMA(z, d, m * q), wz = SHI_FMA(z, e, m * d);                /* u.P', (P''u)_z over U */
+    const SHI_V half = SHI_C(0.5) * SHI_FMA(z, wz, SHI_FMA(m, b - q, b));           /* (P''u)_x = U_x (b - q) */
+    of[0] = b;
+    of[1] = q;
+    of[2] = d;
+    of[3] = SHI_FNMA(z, b, d);
+    of[4] = b + half;
+    of[5] = SHI_FNMA(z, of[4], wz + d);
+    of[6] = e - b;
+}
+/* f[] = U, U_x, U_y, U_xx, U_xy; i = 1/|v| in two steps: its square may overflow */
+SHI_KERNEL void SHI_KN(shi_second)(const SHI_V u[4], SHI_V i, const SHI_V of[7], const SHI_V f[5], SHI_T *y, SHI_T *g,
+                                   int g_plane, SHI_T *h, int plane)
 {
     const SHI_V b = of[0], q = of[1], d = of[2], f0 = i * f[0], f1 = i * f[1], f2 = i * f[2], xx = (i * f[3]) * q;
     const SHI_V k = f0 * b, s = f0 * of[4];
     const SHI_V px = SHI_FMA(f1, b, -(s * u[0])), py = SHI_FMA(f2, b, -(s * u[1])), pz = f0 * of[5];
-    SHI_PUT(y, f[0] * q, single);
-    SHI_PUT(g, SHI_FMA(f1, q, -(k * u[0])), single);
-    SHI_PUT(g + g_plane, SHI_FMA(f2, q, -(k * u[1])), single);
-    SHI_PUT(g + 2 * g_plane, f0 * of[3], single);
-    SHI_PUT(out, i * SHI_FMA(SHI_C(-2) * u[0], px, xx - k), single);
-    SHI_PUT(out + plane, i * SHI_FMA(i * f[4], q, -SHI_FMA(u[0], py, u[1] * px)), single);
-    SHI_PUT(out + 2 * plane, i * SHI_FMA(f1, d, -SHI_FMA(u[0], pz, u[2] * px)), single);
-    SHI_PUT(out + 3 * plane, i * SHI_FMA(SHI_C(-2) * u[1], py, -xx - k), single);
-    SHI_PUT(out + 4 * plane, i * SHI_FMA(f2, d, -SHI_FMA(u[1], pz, u[2] * py)), single);
-    SHI_PUT(out + 5 * plane, i * SHI_FMA(SHI_C(-2) * u[2], pz, f0 * of[6]), single);
+    SHI_STORE(y, f[0] * q);
+    SHI_STORE(g, SHI_FMA(f1, q, -(k * u[0])));
+    SHI_STORE(g + g_plane, SHI_FMA(f2, q, -(k * u[1])));
+    SHI_STORE(g + 2 * g_plane, f0 * of[3]);
+    SHI_STORE(h, i * SHI_FMA(SHI_C(-2) * u[0], px, xx - k));
+    SHI_STORE(h + plane, i * SHI_FMA(i * f[4], q, -SHI_FMA(u[0], py, u[1] * px)));
+    SHI_STORE(h + 2 * plane, i * SHI_FMA(f1, d, -SHI_FMA(u[0], pz, u[2] * px)));
+    SHI_STORE(h + 3 * plane, i * SHI_FMA(SHI_C(-2) * u[1], py, -xx - k));
+    SHI_STORE(h + 4 * plane, i * SHI_FMA(f2, d, -SHI_FMA(u[1], pz, u[2] * py)));
+    SHI_STORE(h + 5 * plane, i * SHI_FMA(SHI_C(-2) * u[2], pz, f0 * of[6]));
+}
+/* f of orders m and -m from c[0], c[-1], c[-2] = U_m, U_{m-1}, U_{m-2} and s likewise, 0 where there is none */
+SHI_KERNEL void SHI_KN(shi_second_orders)(SHI_V m, const SHI_V *c, const SHI_V *s, SHI_V cosine[5], SHI_V sine[5])
+{
+    const SHI_V m2 = m * (m - SHI_C(1));
+    cosine[0] = c[0];
+    cosine[1] = sine[2] = -m * c[-1];
+    cosine[2] = m * s[-1];
+    cosine[3] = sine[4] = m2 * c[-2];
+    cosine[4] = -m2 * s[-2];
+    sine[0] = s[0];
+    sine[1] = -m * s[-1];
+    sine[3] = m2 * s[-2];
 }
 
 /* y[N], g[3][N], h[6][N] of Y(v/|v|) */
-SHI_KERNEL void SHI_BN(shi_hessian)(int n, int single, const SHI_V u[4], SHI_V i, SHI_T *y, int y_stride, SHI_T *g,
-                                    int g_stride, SHI_T *h, int stride)
+SHI_KERNEL void SHI_KN(shi_hessian)(int n, const SHI_V u[4], SHI_V i, SHI_T *y, int y_stride, SHI_T *g, int g_stride, SHI_T *h,
+                                    int stride)
 {
     const int plane = n * n * stride, g_plane = n * n * g_stride;
-    const SHI_V z = u[2], zero = SHI_SPLAT(0);
-    SHI_V a[3], column[SHI_RING][SHI_COLUMN], c[SHI_COLUMN], s[SHI_COLUMN];
+    const SHI_V zero = SHI_SPLAT(0);
+    SHI_V a[3], column[SHI_RING][SHI_COLUMN], c[2 + SHI_COLUMN], s[2 + SHI_COLUMN];
     int l, m;
+    c[0] = c[1] = s[0] = s[1] = zero;
     SHI_BN(shi_polar)(u, a);
     SHI_BN(shi_column)(0, n, a, column);
     SHI_BN(shi_column)(1, n, a, column);
-    SHI_LOOP
     for (m = 0; m < n; m++) {
         const SHI_V *const q0 = column[m % SHI_RING], *const q1 = column[(m + 1) % SHI_RING];
         const SHI_V *const q2 = column[(m + 2) % SHI_RING];
-        const SHI_T m1 = SHI_C(m), m2 = SHI_C(m * (m - 1));
-        const SHI_V c1 = m > 0 ? c[m - 1] : zero, s1 = m > 0 ? s[m - 1] : zero;
-        const SHI_V c2 = m > 1 ? c[m - 2] : zero, s2 = m > 1 ? s[m - 2] : zero;
         SHI_V cosine[5], sine[5];
         SHI_BN(shi_column)(m + 2, n, a, column);
-        SHI_KN(shi_power)(m, u, c, s);
-        cosine[0] = c[m];
-        cosine[1] = sine[2] = -m1 * c1;
-        cosine[2] = m1 * s1;
-        cosine[3] = sine[4] = m2 * c2;
-        cosine[4] = -m2 * s2;
-        sine[0] = s[m];
-        sine[1] = -m1 * s1;
-        sine[3] = m2 * s2;
-        SHI_LOOP
+        SHI_KN(shi_power)(m, u, c + 2, s + 2);
+        SHI_KN(shi_second_orders)(SHI_SPLAT(SHI_C(m)), c + 2 + m, s + 2 + m, cosine, sine);
         for (l = m; l < n; l++) {
-            const SHI_V q = q0[l], d = l > m ? SHI_FN(shi_slope)[SHI_ROWS(l, m)] * q1[l] : zero;
-            const SHI_T slope2 = SHI_FN(shi_slope)[SHI_ROWS(l, m)] * SHI_FN(shi_slope)[SHI_ROWS(l, m + 1)];
-            const SHI_V e = l > m + 1 ? slope2 * q2[l] : zero;
-            const SHI_V b = SHI_FMA(z, d, m1 * q), wz = SHI_FMA(z, e, m1 * d);      /* u.P', (P''u)_z over U */
-            const SHI_V half = SHI_C(0.5) * SHI_FMA(z, wz, SHI_FMA(SHI_SPLAT(m1), b - q, b));   /* (P''u)_x = U_x (b - q) */
-            const int at = l * l + l;
+            const SHI_T *const slope = SHI_FN(shi_slope) + SHI_ROWS(l, m);
+            const SHI_V d = l > m ? slope[0] * q1[l] : zero, e = l > m + 1 ? (slope[0] * slope[1]) * q2[l] : zero;
+            const int up = l * l + l + m, down = up - 2 * m;
             SHI_V of[7];
-            of[0] = b;
-            of[1] = q;
-            of[2] = d;
-            of[3] = SHI_FNMA(z, b, d);
-            of[4] = b + half;
-            of[5] = SHI_FNMA(z, of[4], wz + d);
-            of[6] = e - b;
-            SHI_BN(shi_second)(single, u, i, of, cosine, y + (at + m) * y_stride, g + (at + m) * g_stride, g_plane,
-                               h + (at + m) * stride, plane);
-            if (m > 0)
-                SHI_BN(shi_second)(single, u, i, of, sine, y + (at - m) * y_stride, g + (at - m) * g_stride, g_plane,
-                                   h + (at - m) * stride, plane);
+            SHI_KN(shi_second_shared)(u[2], SHI_SPLAT(SHI_C(m)), q0[l], d, e, of);
+            SHI_KN(shi_second)(u, i, of, cosine, y + up * y_stride, g + up * g_stride, g_plane, h + up * stride, plane);
+            if (m)
+                SHI_KN(shi_second)(u, i, of, sine, y + down * y_stride, g + down * g_stride, g_plane, h + down * stride, plane);
         }
     }
 }
+
+#if SHI_LANES > 1
+/* ---- one direction, W orders of a band in the lanes ---- */
+
+/* `count` numbers, by two moves of `part` that may overlap */
+SHI_KERNEL int SHI_KN(shi_put_ends)(int part, const SHI_T *lane, int count, SHI_T *out)
+{
+    const size_t bytes = (size_t)(part < SHI_W ? part : SHI_W) * sizeof *out;
+    SHI_T first[SHI_W], last[SHI_W];
+    if (part > SHI_W || part > count) return 0;
+    memcpy(first, lane, bytes);
+    memcpy(last, lane + count - part, bytes);
+    memcpy(out, first, bytes);
+    memcpy(out + count - part, last, bytes);
+    return 1;
+}
+SHI_KERNEL void SHI_KN(shi_put_few)(const SHI_T *lane, int count, SHI_T *out)
+{
+    (void)(SHI_KN(shi_put_ends)(8, lane, count, out) || SHI_KN(shi_put_ends)(4, lane, count, out)
+           || SHI_KN(shi_put_ends)(2, lane, count, out) || SHI_KN(shi_put_ends)(1, lane, count, out));
+}
+/* coefficients (l, m), (l, m+1), ... and (l, -m), (l, -m-1), ..., as many as there are; a stride of 0 discards */
+SHI_KERNEL void SHI_KN(shi_put_orders)(int l, int m, SHI_V up, SHI_V down, SHI_T *y, int stride)
+{
+    const int count = l + 1 - m < SHI_W ? l + 1 - m : SHI_W;
+    SHI_T *const above = y + (l * l + l + m) * stride, *const below = y + (l * l + l - m - count + 1) * stride;
+    SHI_T u[SHI_W], d[SHI_W], *const lowest = d + SHI_W - count;
+    int k;
+    SHI_STORE(u, up);
+    SHI_STORE(d, SHI_KN(shi_reverse)(down));
+    if (stride == 1) {
+        SHI_KN(shi_put_few)(lowest, count, below);
+        SHI_KN(shi_put_few)(u, count, above);           /* order 0 puts its sine where its cosine comes */
+    } else if (stride) {
+        for (k = 0; k < count; k++) below[k * stride] = lowest[k];
+        for (k = 0; k < count; k++) above[k * stride] = u[k];
+    }
+}
+
+/* columns `order` + j, j = 0, 1, 2, run as in shi_run, and the band they have come to */
+typedef struct {
+    SHI_V order, band, p[3], d[3];
+    SHI_M flip[2];                                  /* sign bits of z^(l-m), even and odd l - m in the first lane */
+} SHI_KN(shi_orders);
+SHI_KERNEL void SHI_KN(shi_orders_start)(int m, const SHI_V a[3], SHI_KN(shi_orders) *o)
+{
+    SHI_T lane[SHI_W];
+    int k;
+    SHI_UNROLL
+    for (k = 0; k < SHI_W; k++) lane[k] = SHI_C(k);
+    o->order = SHI_LOAD(lane) + SHI_C(m);
+    o->band = SHI_SPLAT(SHI_C(m));
+    SHI_UNROLL
+    for (k = 0; k < 3; k++) {
+        o->p[k] = SHI_SPLAT(1);
+        o->d[k] = SHI_SPLAT(0);
+    }
+    SHI_UNROLL
+    for (k = 0; k < 2; k++) o->flip[k] = SHI_BITS_OF(SHI_KN(shi_where)(1, !k, a[2], SHI_SPLAT(0)));
+}
+/* q_l^{m+j}, orders m, m+1, ..., to the bit as shi_run_row has it; void where m + j > l */
+SHI_KERNEL SHI_V SHI_KN(shi_orders_row)(int j, int l, int m, const SHI_V a[3], SHI_KN(shi_orders) *o)
+{
+    const SHI_T *const step = SHI_FN(shi_step) + SHI_ROWS(l, m) + j, *const pole = SHI_FN(shi_pole) + SHI_ROWS(l, m) + j;
+    const SHI_M begun = (SHI_M)(o->order + SHI_C(j) < o->band);
+    const SHI_V s = SHI_SELECT(begun, SHI_LOAD(step), SHI_SPLAT(0)), b = SHI_C(-1) - s;
+    o->d[j] = SHI_FMA(s * a[1], o->p[j], b * o->d[j]);
+    o->p[j] = o->p[j] + o->d[j];
+    return SHI_KN(shi_flip)(SHI_LOAD(pole) * o->p[j], o->flip[(l - m + j) & 1]);
+}
+/* value and gradient of orders m and -m from q_l^m and its derivative d, c[0], c[-1] = U_m, U_{m-1} and s likewise, to
+ * the bit as shi_gradient has them, which has no terms in m for m = 0 */
+SHI_KERNEL void SHI_KN(shi_orders_gradient)(SHI_V m, const SHI_V u[4], SHI_V i, SHI_V q, SHI_V d, const SHI_V *c,
+                                            const SHI_V *s, SHI_T (*up)[SHI_W], SHI_T (*down)[SHI_W])
+{
+    const SHI_V zero = SHI_SPLAT(0), xi = -u[0] * i, vi = -u[1] * i, mi = m * i, less = (zero - m) * i;
+    const SHI_V qm = SHI_SELECT((SHI_M)(m > zero), q, zero), b = SHI_FMA(u[2], d, m * qm), e = SHI_FNMA(u[2], b, d);
+    SHI_STORE(up[0], q * c[0]);
+    SHI_STORE(up[1], SHI_FMA(xi * c[0], b, qm * (less * c[-1])));
+    SHI_STORE(up[2], SHI_FMA(vi * c[0], b, qm * (mi * s[-1])));
+    SHI_STORE(up[3], (i * c[0]) * e);
+    SHI_STORE(down[0], q * s[0]);
+    SHI_STORE(down[1], SHI_FMA(xi * s[0], b, qm * (less * s[-1])));
+    SHI_STORE(down[2], SHI_FMA(vi * s[0], b, qm * (less * c[-1])));
+    SHI_STORE(down[3], (i * s[0]) * e);
+}
+
+/* What a batch gives, to the bit: y[N], g[3][N], h[6][N], as far as planes say. Returns 0, and writes nothing, when the
+ * direction is out of range */
+SHI_KERNEL int SHI_KN(shi_one_any)(int n, int planes, const SHI_T v[3], SHI_T *y, int ys, SHI_T *g, int gs, SHI_T *h, int hs)
+{
+    SHI_T before[2][2 + SH_MAX_BANDS];                          /* [0][2 + m] = U_m, [1][2 + m] = V_m */
+    SHI_V w[3], u[4], i, a[3], c[SH_MAX_BANDS / SHI_W], s[SH_MAX_BANDS / SHI_W];
+    int l, m, k;
+    for (k = 0; k < 3; k++) w[k] = SHI_KEEP(SHI_SPLAT(v[k]));
+    if (!SHI_KN(shi_unit)(w, 1, u, &i)) return 0;
+    SHI_BN(shi_polar)(u, a);
+    SHI_KN(shi_powers)(n, u, c, s);
+    for (k = 0; k < 2; k++) before[0][k] = before[1][k] = 0;
+    for (m = 0; m < n && planes > SH_VALUES; m += SHI_W) {
+        SHI_STORE(before[0] + 2 + m, c[m / SHI_W]);
+        SHI_STORE(before[1] + 2 + m, s[m / SHI_W]);
+    }
+    for (m = 0; m < n; m += SHI_W) {
+        SHI_KN(shi_orders) o;
+        SHI_V mc[3], ms[3], cosine[5], sine[5];                 /* U and V of orders m - 2, m - 1, m */
+        SHI_KN(shi_orders_start)(m, a, &o);
+        for (k = 0; k < 2 && planes > SH_VALUES; k++) {
+            mc[k] = SHI_LOAD(before[0] + m + k);
+            ms[k] = SHI_LOAD(before[1] + m + k);
+        }
+        mc[2] = c[m / SHI_W];
+        ms[2] = s[m / SHI_W];
+        if (planes == SH_HESSIAN) SHI_KN(shi_second_orders)(o.order, mc + 2, ms + 2, cosine, sine);
+        for (l = m; l < n; l++, o.band += SHI_C(1)) {
+            const SHI_T *const slope = SHI_FN(shi_slope) + SHI_ROWS(l, m);
+            const SHI_V q = SHI_KN(shi_orders_row)(0, l, m, a, &o), zero = SHI_SPLAT(0);
+            SHI_T up[SH_HESSIAN][SHI_W], down[SH_HESSIAN][SHI_W];
+            SHI_V d = zero;
+            if (planes > SH_VALUES) {
+                d = SHI_LOAD(slope) * SHI_KN(shi_orders_row)(1, l, m, a, &o);
+                d = SHI_SELECT((SHI_M)(o.order < o.band), d, zero);
+            }
+            if (planes == SH_VALUES) {
+                SHI_STORE(up[0], q * mc[2]);
+                SHI_STORE(down[0], q * ms[2]);
+            } else if (planes == SH_GRADIENT) {
+                SHI_KN(shi_orders_gradient)(o.order, u, i, q, d, mc + 2, ms + 2, up, down);
+            } else {
+                SHI_V of[7], e = (SHI_LOAD(slope) * SHI_LOAD(slope + 1)) * SHI_KN(shi_orders_row)(2, l, m, a, &o);
+                e = SHI_SELECT((SHI_M)(o.order + SHI_C(1) < o.band), e, zero);
+                SHI_KN(shi_second_shared)(u[2], o.order, q, d, e, of);
+                SHI_KN(shi_second)(u, i, of, cosine, up[0], up[1], SHI_W, up[4], SHI_W);
+                SHI_KN(shi_second)(u, i, of, sine, down[0], down[1], SHI_W, down[4], SHI_W);
+            }
+            SHI_KN(shi_put_orders)(l, m, SHI_LOAD(up[0]), SHI_LOAD(down[0]), y, ys);
+            SHI_UNROLL
+            for (k = 1; k < SH_GRADIENT && k < planes; k++)
+                SHI_KN(shi_put_orders)(l, m, SHI_LOAD(up[k]), SHI_LOAD(down[k]), g + (k - 1) * n * n * gs, gs);
+            SHI_UNROLL
+            for (k = SH_GRADIENT; k < planes; k++)
+                SHI_KN(shi_put_orders)(l, m, SHI_LOAD(up[k]), SHI_LOAD(down[k]), h + (k - SH_GRADIENT) * n * n * hs, hs);
+        }
+    }
+    return 1;
+}
+#endif
+#endif
 
 /* dirs[blocks][3][8] to y[N][8], g[3 N][8], h[6 N][8] per block, yn, gn, hn elements apart (0: each block over the
  * last); a stride ys, gs, hs of 0 discards an output of the looped body. A block is normalised while the one before is
@@ -2099,7 +2294,7 @@ SHI_KERNEL int SHI_BN(shi_blocks)(int n, int planes, size_t blocks, const SHI_T 
             } else if (planes == SH_GRADIENT) {
                 SHI_BN(shi_gradient)(n, 0, now[i].u, now[i].inverse, yb, ys, gb, gs, ahead, &next[i]);
             } else {
-                SHI_BN(shi_hessian)(n, 0, now[i].u, now[i].inverse, yb, ys, gb, gs, hb, hs);
+                SHI_KN(shi_hessian)(n, now[i].u, now[i].inverse, yb, ys, gb, gs, hb, hs);
             }
         }
     }
@@ -2187,41 +2382,6 @@ SHI_KERNEL void SHI_KN(shi_put_line)(int n, int at, SHI_V v, SHI_T *out)
     else for (i = 0; i < n * n - at; i++) out[at + i] = v[i];
 }
 
-/* c[], s[] = U_m, V_m of orders m = 0, 1, ..., as in shi_power */
-SHI_KERNEL void SHI_KN(shi_line_powers)(int n, const SHI_V u[4], SHI_V *c, SHI_V *s)
-{
-    SHI_V hc[SHI_POLYNOMIAL_BANDS], hs[SHI_POLYNOMIAL_BANDS];       /* of powers of two, in all lanes */
-    int r, h;
-    hc[1] = -u[0];
-    hs[1] = -u[1];
-    SHI_UNROLL
-    for (h = 2; h < n; h *= 2) SHI_KN(shi_square)(hc[h / 2], hs[h / 2], &hc[h], &hs[h]);
-    c[0] = SHI_KN(shi_where)(1, 1, hc[1], SHI_SPLAT(1));
-    s[0] = SHI_KN(shi_where)(1, 1, hs[1], SHI_SPLAT(0));
-    SHI_UNROLL
-    for (h = 2; h < n && h < SHI_W; h *= 2) {
-        SHI_V tc = c[0], ts = s[0];
-        if (h < n - 1) SHI_KN(shi_turn)(hc[h], hs[h], &tc, &ts);
-        c[0] = SHI_KN(shi_where)(2 * h - 1, h, hc[h], SHI_KN(shi_where)(h, h, tc, c[0]));
-        s[0] = SHI_KN(shi_where)(2 * h - 1, h, hs[h], SHI_KN(shi_where)(h, h, ts, s[0]));
-    }
-    SHI_UNROLL
-    for (r = 1; r * SHI_W < n; r++) {
-        const int top = r * SHI_W >= 8 ? 8 : r * SHI_W >= 4 ? 4 : 2;
-        c[r] = c[r - top / SHI_W];
-        s[r] = s[r - top / SHI_W];
-        SHI_KN(shi_turn)(hc[top], hs[top], &c[r], &s[r]);
-        if (r * SHI_W == top) {
-            c[r] = SHI_KN(shi_where)(SHI_W - 1, 0, hc[top], c[r]);
-            s[r] = SHI_KN(shi_where)(SHI_W - 1, 0, hs[top], s[r]);
-        }
-    }
-    SHI_UNROLL
-    for (r = 0; r * SHI_W < n; r++) {           /* or clang sees through them and takes lanes one by one */
-        c[r] = SHI_KEEP(c[r]);
-        s[r] = SHI_KEEP(s[r]);
-    }
-}
 /* of order m - 1 for orders m in register r; order 0 its own */
 SHI_KERNEL SHI_V SHI_KN(shi_line_before)(int r, const SHI_V *c)
 {
@@ -2302,7 +2462,7 @@ SHI_KERNEL SHI_V SHI_KN(shi_line_next)(int n, int k, const SHI_V *q)
  * nothing, when the direction is out of range */
 SHI_KERNEL int SHI_KN(shi_one_line)(int n, int planes, const SHI_T d[3], SHI_T *y, SHI_T *g)
 {
-    SHI_V v[3], u[4], i, xi, vi, q[SHI_LINE_REGISTERS], c[SHI_ORDER_REGISTERS], s[SHI_ORDER_REGISTERS];
+    SHI_V v[3], u[4], i, xi, vi, q[SHI_LINE_REGISTERS], c[SH_MAX_BANDS / SHI_W], s[SH_MAX_BANDS / SHI_W];
     /* dU/dx = dV/dy, dU/dy, dV/dx, times 1/|v| */
     SHI_V ux[SHI_ORDER_REGISTERS], uy[SHI_ORDER_REGISTERS], vx[SHI_ORDER_REGISTERS];
     int r, k, j;
@@ -2312,7 +2472,7 @@ SHI_KERNEL int SHI_KN(shi_one_line)(int n, int planes, const SHI_T d[3], SHI_T *
     if (!SHI_KN(shi_unit)(v, 1, u, &i)) return 0;
     xi = -u[0] * i;
     vi = -u[1] * i;
-    SHI_KN(shi_line_powers)(n, u, c, s);
+    SHI_KN(shi_powers)(n, u, c, s);
     y[0] = SHI_HORNER(0, 0, 0);
     if (planes == SH_GRADIENT) {
         g[0] = g[n * n] = g[2 * n * n] = 0;
@@ -2357,8 +2517,8 @@ SHI_KERNEL int SHI_KN(shi_one_line)(int n, int planes, const SHI_T d[3], SHI_T *
 }
 #endif
 
-/* one direction, the registers' first lane: what a batch would give, to the bit; 0, and nothing written, when not
- * valid */
+#if SHI_LANES == 1 || (SHI_FIXED && !defined(SHI_LINES))
+/* the same by the registers' first lane */
 SHI_KERNEL int SHI_BN(shi_one)(int n, int planes, const SHI_T d[3], SHI_T *y, int ys, SHI_T *g, int gs, SHI_T *h, int hs)
 {
     SHI_V v[3], u[4], inverse;
@@ -2367,9 +2527,13 @@ SHI_KERNEL int SHI_BN(shi_one)(int n, int planes, const SHI_T d[3], SHI_T *y, in
     if (!SHI_KN(shi_unit)(v, 1, u, &inverse)) return 0;
     if (planes == SH_VALUES) SHI_BN(shi_values)(n, 1, u, y, ys);
     else if (planes == SH_GRADIENT) SHI_BN(shi_gradient)(n, 1, u, inverse, y, ys, g, gs, NULL, NULL);
-    else SHI_BN(shi_hessian)(n, 1, u, inverse, y, ys, g, gs, h, hs);
+#if !SHI_FIXED
+    else SHI_KN(shi_hessian)(n, u, inverse, y, ys, g, gs, h, hs);
+#endif
+    (void)h, (void)hs;
     return 1;
 }
+#endif
 
 /* ================================================================================================================
  * Public functions: once per precision. They check, and call a kernel.
