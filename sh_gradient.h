@@ -1245,14 +1245,11 @@ SHI_KERNEL int SHI_KN(shi_horner_form_fixed)(int n, const SHI_T *coeffs, SHI_T *
         SHI_UNROLL
         for (l = first; l < n; l++) {
             const SHI_T *const middle = padded + SHI_W + l * (l + 1);
-            SHI_I lane[SHI_W];                                          /* no comparison: gcc 12 -O1 breaks down on it */
-            SHI_M has;
-            int i;
+            int has[SHI_W], i;
             SHI_UNROLL
-            for (i = 0; i < SHI_W; i++) lane[i] = first + i <= l ? -1 : 0;
-            memcpy(&has, lane, sizeof has);
-            c[l] = SHI_SELECT(has, SHI_LOAD(middle + first), zero);
-            s[l] = SHI_SELECT(has, SHI_KN(shi_reverse)(SHI_LOAD(middle - first - (SHI_W - 1))), zero);
+            for (i = 0; i < SHI_W; i++) has[i] = first + i <= l;
+            c[l] = SHI_KN(shi_blend)(has, SHI_LOAD(middle + first), zero);
+            s[l] = SHI_KN(shi_blend)(has, SHI_KN(shi_reverse)(SHI_LOAD(middle - first - (SHI_W - 1))), zero);
         }
         SHI_UNROLL
         for (k = 0; k < n; k++) {                                       /* parity k & 1, power k / 2 */
@@ -1892,43 +1889,23 @@ SHI_KERNEL void SHI_KN(shi_run_row)(int l, int m, int running, SHI_KN(shi_run) *
     o->flip[0] = o->flip[1];
     o->flip[1] = even;
 }
-/* to memory. A function of its own, like the next, or gcc keeps the columns there as they run */
-SHI_NOINLINE void SHI_KN(shi_columns)(int m, int n, const SHI_V a[3], SHI_V (*column)[SHI_COLUMN])
-{
-    SHI_KN(shi_run) o;
-    SHI_V q[SHI_ABREAST];
-    int l, j, k;
-    SHI_KN(shi_run_start)(a, &o);
-    SHI_UNROLL
-    for (k = 0; k < SHI_ABREAST; k++) {
-        if (m + k < n) {
-            SHI_KN(shi_run_row)(m + k, m, k, &o, q);
-            SHI_UNROLL
-            for (j = 0; j <= k; j++) column[j][m + k] = q[j];
-        }
-    }
-    for (l = m + SHI_ABREAST; l < n; l++) {
-        SHI_KN(shi_run_row)(l, m, SHI_ABREAST, &o, q);
-        SHI_UNROLL
-        for (j = 0; j < SHI_ABREAST; j++) column[j][l] = q[j];
-    }
-}
-/* times U and V, to y; order 0 puts its sine where its cosine comes */
-SHI_KERNEL void SHI_KN(shi_run_put)(int l, int m, int started, const SHI_V *q, const SHI_V *c, const SHI_V *s, SHI_T *y,
-                                    int stride)
+/* row l of the `started` columns to column[j][l] or, if there is none, times U and V to y */
+SHI_KERNEL void SHI_KN(shi_run_put)(int l, int m, int started, int values, const SHI_V *q, SHI_V (*column)[SHI_COLUMN],
+                                    const SHI_V *c, const SHI_V *s, SHI_T *y, int stride)
 {
     SHI_T *const up = y + (l * l + l + m) * stride, *const down = y + (l * l + l - m) * stride;
     int j;
     SHI_UNROLL
     for (j = 0; j < SHI_ABREAST; j++) {
-        if (j < started) {
-            SHI_STORE(down - j * stride, q[j] * s[j]);
+        if (j < started && !values) column[j][l] = q[j];
+        if (j < started && values) {
+            SHI_STORE(down - j * stride, q[j] * s[j]);          /* order 0 puts its sine where its cosine comes */
             SHI_STORE(up + j * stride, q[j] * c[j]);
         }
     }
 }
-SHI_NOINLINE void SHI_KN(shi_columns_values)(int m, int n, const SHI_V a[3], const SHI_V *c, const SHI_V *s, SHI_T *y,
-                                             int stride)
+SHI_KERNEL void SHI_KN(shi_run_columns)(int m, int n, int values, const SHI_V a[3], SHI_V (*column)[SHI_COLUMN],
+                                        const SHI_V *c, const SHI_V *s, SHI_T *y, int stride)
 {
     SHI_KN(shi_run) o;
     SHI_V q[SHI_ABREAST];
@@ -1938,13 +1915,23 @@ SHI_NOINLINE void SHI_KN(shi_columns_values)(int m, int n, const SHI_V a[3], con
     for (k = 0; k < SHI_ABREAST; k++) {
         if (m + k < n) {
             SHI_KN(shi_run_row)(m + k, m, k, &o, q);
-            SHI_KN(shi_run_put)(m + k, m, k + 1, q, c, s, y, stride);
+            SHI_KN(shi_run_put)(m + k, m, k + 1, values, q, column, c, s, y, stride);
         }
     }
     for (l = m + SHI_ABREAST; l < n; l++) {
         SHI_KN(shi_run_row)(l, m, SHI_ABREAST, &o, q);
-        SHI_KN(shi_run_put)(l, m, SHI_ABREAST, q, c, s, y, stride);
+        SHI_KN(shi_run_put)(l, m, SHI_ABREAST, values, q, column, c, s, y, stride);
     }
+}
+/* functions of their own, or gcc keeps the columns in memory as they run */
+SHI_NOINLINE void SHI_KN(shi_columns)(int m, int n, const SHI_V a[3], SHI_V (*column)[SHI_COLUMN])
+{
+    SHI_KN(shi_run_columns)(m, n, 0, a, column, NULL, NULL, NULL, 0);
+}
+SHI_NOINLINE void SHI_KN(shi_columns_values)(int m, int n, const SHI_V a[3], const SHI_V *c, const SHI_V *s, SHI_T *y,
+                                             int stride)
+{
+    SHI_KN(shi_run_columns)(m, n, 1, a, NULL, c, s, y, stride);
 }
 SHI_KERNEL void SHI_BN(shi_column)(int m, int n, const SHI_V a[3], SHI_V (*column)[SHI_COLUMN])
 {
