@@ -1477,14 +1477,25 @@ SHI_NOINLINE int SHI_KN(shi_sum_gradient)(int n, const SHI_T *a, size_t count, c
 /* W lights as seen from a point. Geometry, powers and weights are three loops over a block of nb such: in each, the
  * long chains of one vector overlap with its neighbours'. */
 typedef struct {
-    SHI_V x, y;             /* -(center - point)/d: powers of -x - iy carry the sign */
+    SHI_V x, y;             /* -(center - point)/d, or the other way for z < 0: powers of -x - iy carry the sign */
+    SHI_M side;             /* z's sign bit */
     SHI_V inverse;          /* 1/d */
     SHI_V alpha, kappa;     /* cos of the half-angle; 1 - cos */
     SHI_V s2, q;            /* (r/d)^2; s2/(alpha d) */
     SHI_V first;            /* weight of band 0: 2 pi kappa, or 4 pi inside, where the others are 0 */
 } SHI_KN(shi_light);
 
-/* returns z; adds to flags: inside, not finite, negative radius. A register with nothing of the kind, and no light
+/* 1 - |z| of a vector that is of length one but for an excess of some eps, to an eps of its own, and what else hangs on z */
+SHI_KERNEL SHI_V SHI_KN(shi_light_polar)(SHI_V x, SHI_V y, SHI_V z, SHI_KN(shi_light) *o)
+{
+    const SHI_V r2 = SHI_FMA(x, x, y * y), e = SHI_FMA(z, z, SHI_SPLAT(-1)) + r2;
+    o->side = SHI_BITS_OF(z) & SHI_BITS_OF(-SHI_SPLAT(0));
+    o->x = SHI_KN(shi_flip)(x, o->side);
+    o->y = SHI_KN(shi_flip)(y, o->side);
+    return SHI_FMA(-e, r2, r2) / (SHI_C(1) + SHI_ABS(SHI_FMA(z, SHI_C(-0.5) * e, z)));
+}
+
+/* returns 1 - |z|; adds to flags: inside, not finite, negative radius. A register with nothing of the kind, and no light
  * that fills half of the point's sky, meets no selection */
 SHI_KERNEL SHI_V SHI_KN(shi_light_geometry)(const SHI_T point[3], const SHI_V center[3], SHI_V radius, int kinds,
                                             SHI_M flags[3], SHI_KN(shi_light) *o)
@@ -1514,8 +1525,6 @@ SHI_KERNEL SHI_V SHI_KN(shi_light_geometry)(const SHI_T point[3], const SHI_V ce
     y = dy * i;
     z = dz * i;
     if (!plain) s = SHI_SELECT(none, zero, s);
-    o->x = x;
-    o->y = y;
     o->s2 = s * s;
     alpha = (gap * ig) * i;
     if (!plain) alpha = SHI_SELECT(none, one, alpha);
@@ -1527,8 +1536,7 @@ SHI_KERNEL SHI_V SHI_KN(shi_light_geometry)(const SHI_T point[3], const SHI_V ce
     if (kinds == SHI_ALL_KINDS) o->alpha = alpha;
     o->first = tau * o->kappa;
     if (!plain) o->first = SHI_SELECT(inside, tau + tau, o->first);
-    /* as shi_polish, for z alone: near the poles it is what counts */
-    return SHI_FMA(z, SHI_C(-0.5) * SHI_FMA(x, x, SHI_FMA(y, y, SHI_FMA(z, z, SHI_SPLAT(-1)))), z);
+    return SHI_KN(shi_light_polar)(x, y, z, o);
 }
 
 /* c, v [levels]: U_m, V_m times radiance, nb vectors from one m to the next */
@@ -1544,15 +1552,23 @@ SHI_KERNEL void SHI_KN(shi_light_powers)(SHI_V x, SHI_V y, SHI_V radiance, int l
     }
 }
 
-/* w[kinds][levels], nb vectors from one band to the next */
+/* w[kinds][levels], nb vectors from one band to the next; of odd bands times z's sign */
 SHI_KERNEL void SHI_KN(shi_light_weights)(int n, int kinds, const SHI_KN(shi_light) *o, int levels, int nb, SHI_V *w)
 {
     const SHI_T tau = SHI_C(6.2831853071795865);
-    const SHI_V zero = SHI_SPLAT(0), i = kinds > 1 ? o->inverse : zero, q = kinds > 1 ? o->q : zero;
-    const SHI_V k = tau * o->s2, k1 = -tau * q;
-    const SHI_V bend = kinds == SHI_ALL_KINDS ? q * (SHI_C(3) * i + q / o->alpha) : zero;
+    const SHI_V zero = SHI_SPLAT(0), q = kinds > 1 ? o->q : zero, i = kinds > 1 ? SHI_KN(shi_flip)(o->inverse, o->side) : zero;
+    const SHI_V bend = kinds == SHI_ALL_KINDS ? q * (SHI_C(3) * o->inverse + q / o->alpha) : zero;
+    SHI_V k[2], k1[2], bends[2], squares[2];                    /* of even and odd l; k1 goes to bands l - 1 and l + 1 */
     SHI_V p = SHI_SPLAT(1), step = zero, slope = zero;
     int l, t;
+    k[0] = tau * o->s2;
+    k1[1] = -tau * q;
+    bends[0] = tau * bend;
+    squares[0] = tau * (q * q);
+    k[1] = SHI_KN(shi_flip)(k[0], o->side);
+    k1[0] = SHI_KN(shi_flip)(k1[1], o->side);
+    bends[1] = SHI_KN(shi_flip)(bends[0], o->side);
+    squares[1] = SHI_KN(shi_flip)(squares[0], o->side);
     for (t = 0; t < kinds; t++)                                 /* bands a kind does not reach */
         for (l = 0; l < 2 && l < levels; l++) w[(t * levels + l) * nb] = w[(t * levels + levels - 1 - l) * nb] = zero;
 #define SHI_WEIGHT(kind, band) w[((kind) * levels + (band)) * nb]
@@ -1563,15 +1579,15 @@ SHI_KERNEL void SHI_KN(shi_light_weights)(int n, int kinds, const SHI_KN(shi_lig
             slope = SHI_FMA(-o->kappa, slope, SHI_FMA(SHI_SPLAT(SHI_C(l)), p, slope));
             step = SHI_FMA((SHI_C(1 - 2 * l) * r) * o->kappa, p, (SHI_C(l - 1) * r) * step);
             p = p + step;
-            f = k * (slope * (r * SHI_FN(shi_reciprocal)[l + 1]));
+            f = k[l & 1] * (slope * (r * SHI_FN(shi_reciprocal)[l + 1]));
         }
         SHI_WEIGHT(0, l) = l ? f : o->first;
         if (kinds >= 3) {
-            const SHI_V g = f * i, f1 = k1 * p;
+            const SHI_V g = f * i, f1 = k1[l & 1] * p;
             if (l > 0) SHI_WEIGHT(1, l - 1) = f1 + SHI_C(l + 1) * g;
             SHI_WEIGHT(2, l + 1) = f1 - SHI_C(l) * g;
             if (kinds == SHI_ALL_KINDS) {                       /* f'', f'/rho and f/rho^2 */
-                const SHI_V f2 = tau * SHI_FMA(p, bend, -(slope * (q * q))), f1i = (k1 * i) * p, gi = g * i;
+                const SHI_V f2 = SHI_FMA(p, bends[l & 1], -(slope * squares[l & 1])), f1i = f1 * i, gi = g * i;
                 if (l > 1) SHI_WEIGHT(3, l - 2) = f2 + (SHI_C(2 * l + 1) * f1i + SHI_C(l * l - 1) * gi);
                 SHI_WEIGHT(4, l) = f2 + (SHI_C(2) * f1i - SHI_C(l * (l + 1)) * gi);
                 SHI_WEIGHT(5, l + 2) = f2 - (SHI_C(2 * l + 1) * f1i - SHI_C(l * (l + 2)) * gi);
@@ -1585,11 +1601,21 @@ SHI_KERNEL void SHI_KN(shi_light_weights)(int n, int kinds, const SHI_KN(shi_lig
 #define SHI_KINDS_AT(e) (((e) <= 0 ? 1u : 0u) | ((e) <= -1 ? 2u : 0u) | ((e) <= 1 ? 4u : 0u) \
                        | ((e) <= -2 ? 8u : 0u) | ((e) <= 0 ? 16u : 0u) | ((e) <= 2 ? 32u : 0u))
 
+/* b_{l+1} = p_l - p_{l+1} of shi_run's recurrence, at t = 1 - |z|: r t p_l + (r - 1) b_l, r = -step. Two multiply-adds
+ * where they are fused; else three products, whose roundings weigh less */
+SHI_KERNEL SHI_V SHI_KN(shi_fall)(SHI_T r, SHI_V t, SHI_V p, SHI_V b)
+{
+#if defined(__FMA__) || defined(__aarch64__)
+    return SHI_FMA(SHI_SPLAT(r), SHI_FMA(t, p, b), -b);
+#else
+    return (r * t) * p + (r - 1) * b;
+#endif
+}
+
 /* `rows` bands of column m, the last one at distance e_last, over the nb vectors of a block: M22's reverse order on a
- * CPU, the sums in registers. first: the column starts here, with q = 1 and z; more: it goes on. sum[rows][kinds][2] */
+ * CPU, the sums in registers. first: the column starts here; more: it goes on. sum[rows][kinds][2] */
 SHI_KERNEL void SHI_KN(shi_light_rows)(int rows, int kinds, int e_last, int zonal, int first, int more, int nb,
-                                       const SHI_T beta[4],
-                                       const SHI_V *z, const SHI_V *c, const SHI_V *v, const SHI_V *w, int kind_stride,
+                                       const SHI_T ratio[4], const SHI_V *polar, const SHI_V *c, const SHI_V *v, const SHI_V *w, int kind_stride,
                                        SHI_V *qa, SHI_V *qb, SHI_V *sum)
 {
     SHI_V a[2 * SHI_ALL_KINDS], b[2 * SHI_ALL_KINDS];
@@ -1601,18 +1627,17 @@ SHI_KERNEL void SHI_KN(shi_light_rows)(int rows, int kinds, int e_last, int zona
         b[t] = sum[2 * t + 1];
     }
     for (i = 0; i < nb; i++) {
-        SHI_V qc[4], qs[4], q0 = SHI_SPLAT(0), q1 = q0;
-        const SHI_V zi = z[i], ci = c[i], si = zonal ? ci : v[i];
+        SHI_V qc[4], qs[4], q = SHI_SPLAT(1), fall = SHI_SPLAT(0);
+        const SHI_V ti = polar[i], ci = c[i], si = zonal ? ci : v[i];
         if (!first) {
-            q0 = qa[i];
-            q1 = qb[i];
+            q = qa[i];
+            fall = qb[i];
         }
         SHI_UNROLL
         for (t = 0; t < rows; t++) {
-            const SHI_V q = first && t == 0 ? SHI_SPLAT(1) : first && t == 1 ? zi : zi * q0 - beta[t] * q1;
             const int one = first && t == 0;
-            q1 = q0;
-            q0 = q;
+            if (!one) fall = first && t == 1 ? ti : SHI_KN(shi_fall)(ratio[t], ti, q, fall);
+            if (!one) q = q - fall;
             if (kinds == 1) {                       /* one weight goes into q, several meet q c and q s */
                 const SHI_V wq = one ? w[t * nb + i] : w[t * nb + i] * q;
                 a[t] += wq * ci;
@@ -1623,8 +1648,8 @@ SHI_KERNEL void SHI_KN(shi_light_rows)(int rows, int kinds, int e_last, int zona
             }
         }
         if (more) {
-            qa[i] = q0;
-            qb[i] = q1;
+            qa[i] = q;
+            qb[i] = fall;
         }
         SHI_UNROLL
         for (t = 0; t < slots; t++) {
@@ -1649,15 +1674,15 @@ SHI_KERNEL void SHI_KN(shi_light_column)(int n, int kinds, int m, int nb, const 
                                          SHI_V *sum)
 {
     const int top = n - 1 + (kinds == 1 ? 0 : kinds == 3 ? 1 : 2);
-    const SHI_V *c = pool + m * nb, *v = c + levels * nb, *w = pool + 2 * levels * nb, *z = w + kinds * levels * nb;
-    SHI_T beta[4];
+    const SHI_V *c = pool + m * nb, *v = c + levels * nb, *w = pool + 2 * levels * nb, *polar = w + kinds * levels * nb;
+    SHI_T ratio[4];
     int j = m, i, rows;
 #define SHI_ROWS_OF(r, e, zonal, first) \
-        SHI_KN(shi_light_rows)(r, kinds, e, zonal, first, j + (r) <= top, nb, beta, z, c, v, w + j * nb, levels * nb, \
+        SHI_KN(shi_light_rows)(r, kinds, e, zonal, first, j + (r) <= top, nb, ratio, polar, c, v, w + j * nb, levels * nb, \
                                qa, qb, sum)
 #define SHI_GROUP(r, e) do { \
         rows = (r); \
-        for (i = 0; i < (r); i++) beta[i] = SHI_FN(shi_beta)[SHI_ROWS(j + i, m)]; \
+        for (i = 0; i < (r); i++) ratio[i] = -SHI_FN(shi_step)[SHI_ROWS(j + i, m)]; \
         if (m == 0 && j == m) SHI_ROWS_OF(r, e, 1, 1); \
         else if (m == 0) SHI_ROWS_OF(r, e, 1, 0); \
         else if (j == m) SHI_ROWS_OF(r, e, 0, 1); \
@@ -1718,14 +1743,12 @@ SHI_KERNEL SHI_V SHI_KN(shi_load_radiance)(const SHI_T *radiance, size_t count, 
 }
 
 /* W directions in place of lights: geometry without a profile. Returns 0 if one is out of range */
-SHI_KERNEL int SHI_KN(shi_sample_geometry)(const SHI_T *dirs, size_t count, size_t first, SHI_V *z, SHI_KN(shi_light) *o)
+SHI_KERNEL int SHI_KN(shi_sample_geometry)(const SHI_T *dirs, size_t count, size_t first, SHI_V *polar, SHI_KN(shi_light) *o)
 {
     SHI_KN(shi_direction) d;
     SHI_KN(shi_direct_plain)(dirs + 3 * first, count - first, &d);
     o->inverse = d.inverse;
-    o->x = -d.u[0];
-    o->y = -d.u[1];
-    *z = d.u[2];
+    *polar = SHI_KN(shi_light_polar)(-d.u[0], -d.u[1], d.u[2], o);
     return d.good;
 }
 
@@ -1754,19 +1777,20 @@ SHI_KERNEL int SHI_KN(shi_moments)(int n, int kinds, int channels, const SHI_T *
         for (first = 0; first < count; first += (size_t)at_once * SHI_W) {
             const size_t vectors = (count - first + SHI_W - 1) / SHI_W;
             const int nb = vectors < (size_t)at_once ? (int)vectors : at_once;
-            SHI_V *const weights = pool + 2 * levels * nb, *const z = weights + kinds * levels * nb;
+            SHI_V *const weights = pool + 2 * levels * nb, *const polar = weights + kinds * levels * nb;
             for (i = 0; i < nb; i++) {
                 const size_t one = first + (size_t)i * SHI_W;
                 if (point) {
                     SHI_V center[3], radius;
                     SHI_KN(shi_load_light)(spheres, count, one, center, &radius);
-                    z[i] = SHI_KN(shi_light_geometry)(point, center, radius, kinds, flags, &lights[i]);
-                } else if (!SHI_KN(shi_sample_geometry)(spheres, count, one, &z[i], &lights[i])) {
+                    polar[i] = SHI_KN(shi_light_geometry)(point, center, radius, kinds, flags, &lights[i]);
+                } else if (!SHI_KN(shi_sample_geometry)(spheres, count, one, &polar[i], &lights[i])) {
                     bad = 2;
                 }
             }
             for (i = 0; i < nb && point; i++) SHI_KN(shi_light_weights)(n, kinds, &lights[i], levels, nb, weights + i);
-            for (i = 0; i < nb * levels && !point; i++) weights[i] = SHI_SPLAT(1);
+            for (i = 0; i < nb * levels && !point; i++)
+                weights[i] = SHI_KN(shi_flip)(SHI_SPLAT(1), i / nb & 1 ? lights[i % nb].side : SHI_BITS_OF(SHI_SPLAT(0)));
             for (channel = 0, at = 0; channel < channels; channel++) {
                 const SHI_T *const power = radiance ? radiance + (size_t)channel * count : NULL;
                 for (i = 0; i < nb; i++)
@@ -1783,8 +1807,8 @@ SHI_KERNEL int SHI_KN(shi_moments)(int n, int kinds, int channels, const SHI_T *
                     for (k = 0; k < kinds; k++, at += 2) {
                         SHI_T *const out = moments + (channel * kinds + k) * plane + j * j + j;
                         if (!(SHI_KINDS_AT(j - (n - 1)) >> k & 1u)) continue;       /* nobody reads it */
-                        out[m] = SHI_FN(shi_norm)[SHI_ROWS(j, m)] * SHI_SUM(sums[at]);
-                        if (m) out[-m] = SHI_FN(shi_norm)[SHI_ROWS(j, m)] * SHI_SUM(sums[at + 1]);
+                        out[m] = SHI_FN(shi_pole)[SHI_ROWS(j, m)] * SHI_SUM(sums[at]);
+                        if (m) out[-m] = SHI_FN(shi_pole)[SHI_ROWS(j, m)] * SHI_SUM(sums[at + 1]);
                     }
     }
     return bad | (SHI_ANY(flags[0]) ? 1 : 0) | (SHI_ANY(flags[1]) ? 2 : 0) | (SHI_ANY(flags[2]) ? 4 : 0);
@@ -3159,8 +3183,7 @@ SH_API int SHI_FN(sh_sphere)(int bands, const SHI_T point[3], const SHI_T center
  *   out       [points][channels][planes][N]; for one channel and SH_GRADIENT: values, d/dx, d/dy, d/dz
  * Status SH_INSIDE when a point is on or inside a light, which then adds 2 sqrt(pi) to L_00 and nothing to derivatives.
  * A light that is not valid is an error before anything is written; a point that is not finite is an error of its own outputs.
- * Error:  the sum over the lights of sh_sphere_hessian's bounds, with 24 + l and 32 + l in place of 24 and 32 (the recurrence
- *         here is the cheap one), plus count/64 eps of the sum of magnitudes.
+ * Error:  the sum over the lights of sh_sphere_hessian's bounds, plus count/64 eps of the sum of magnitudes.
  * Source: M22 Eq. 12 in moment form: d/dx_k of f(d) Y_l is a fixed sparse combination of (f' + (l+1)f/d) Y_{l-1} and
  *         (f' - l f/d) Y_{l+1}, so lights share three running sums, and six with Hessians; M22 5.1's reverse order. */
 SH_API int SHI_FN(sh_spheres_n)(int bands, int planes, int channels, size_t points, const SHI_T *point,

@@ -5,13 +5,14 @@
 #include <stdio.h>
 
 /* Arithmetic of the moment form per light, counted once per FMA = 2, square root and division = 1, from the kernel's
- * own formulas: about 30 for the direction and the half-angle; per band 10 for P_l, P'_l and the weight, 16 with the
+ * own formulas: about 34 for the direction and the half-angle; per band 10 for P_l, P'_l and the weight, 16 with the
  * two weights of the gradient, 44 with the three of the Hessian; per column 6 for U_m, V_m; per (l, m) a recurrence
- * step (3), its products with U and V (2, one for m = 0) and an FMA for each moment that band has. */
+ * step by differences (5, the first of a column 1), its products with U and V (2, one for m = 0) and an FMA for each
+ * moment that band has. */
 double bench_light_flops(int n, int planes)
 {
     const int top = n - 1 + (planes == 1 ? 0 : planes == 4 ? 1 : 2);
-    double flops = 30 + (planes == 1 ? 10.0 : planes == 4 ? 16.0 : 44.0) * n;
+    double flops = 34 + (planes == 1 ? 10.0 : planes == 4 ? 16.0 : 44.0) * n;
     int l, m;
     for (m = 0; m <= top; m++) {
         flops += m ? 6 : 0;
@@ -20,7 +21,7 @@ double bench_light_flops(int n, int planes)
             int moments = l < n;
             if (planes >= 4) moments += (l >= 1) + (l <= n - 2);
             if (planes >= 10) moments += (l >= 2) + (l < n) + (l <= n - 3);
-            flops += (l - m < 2 ? l - m : 3) + pair + 2 * pair * moments;
+            flops += (l - m < 2 ? l - m : 5) + pair + 2 * pair * moments;
         }
     }
     return flops;

@@ -308,7 +308,17 @@ double ref_log_between(double a, double b) { return a * pow(b / a, ref_random())
 
 void ref_unit(double u[3])
 {
-    const double z = ref_between(-1, 1), phi = ref_between(0, 2 * (double)REF_PI), s = sqrt(1 - z * z);
+    const double phi = ref_between(0, 2 * (double)REF_PI), where = ref_random();
+    double z = ref_between(-1, 1), s = sqrt(1 - z * z);
+    if (where < 0.25) {                             /* where columns of high bands vary most: z small, or s small */
+        const double large = cos(s = ref_log_between(1e-4, 0.3));
+        z = ref_random() < 0.5 ? -sin(s) : sin(s);
+        s = large;
+        if (where < 0.125) {
+            s = fabs(z);
+            z = z < 0 ? -large : large;
+        }
+    }
     u[0] = s * cos(phi);
     u[1] = s * sin(phi);
     u[2] = z;

@@ -48,6 +48,6 @@ int ref_band(int i);           /* l of index i */
 double ref_random(void);                       /* uniform in [0,1) */
 double ref_between(double a, double b);        /* uniform */
 double ref_log_between(double a, double b);    /* log-uniform, a and b > 0 */
-void   ref_unit(double u[3]);                  /* uniform on the sphere; one in eight on or very near an axis */
+void   ref_unit(double u[3]);                  /* uniform, but half near poles, equator and axes */
 
 #endif

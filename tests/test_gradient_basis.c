@@ -289,7 +289,7 @@ static void F(reconstruct)(void **state)
     (void)state;
     for (bands = 1; bands <= SH_MAX_BANDS; bands++)
         for (turn = 0; turn < effort(12); turn++) {
-            const size_t count = (size_t)(turn * 3 + 1);
+            const size_t count = (size_t)(turn % 12 * 3 + 1);
             size_t j;
             for (i = 0; i < bands * bands; i++) c[i] = (T)ref_between(-1, 1);
             for (j = 0; j < count; j++) {

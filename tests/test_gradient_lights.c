@@ -232,7 +232,7 @@ static void F(sphere)(void **state)
 }
 
 /* A scene: spheres [4][count] and radiance [channels][count]; also what the sum should be, and its bound
- * as sh_spheres_n documents it: 24 + l and 32 + l, and count/64. */
+ * as sh_spheres_n documents it. */
 static void F(scene)(int bands, int planes, int channels, const T point[3], size_t count, T *spheres, T *radiance,
                      double far_scale)
 {
@@ -259,7 +259,7 @@ static void F(scene)(int bands, int planes, int channels, const T point[3], size
             for (i = 0; i < n2; i++) {
                 want[pl * n2 + i] += radiance[j] * jet_plane(&jets[i], pl);
                 bound[pl * n2 + i] += fabsl((long double)radiance[j]) * (long double)EPS
-                                      * (1 + (ref_band(i) + (long double)count / 64) / (pl ? 32 : 24))
+                                      * (1 + (long double)count / 64 / (pl ? 32 : 24))
                                       * sphere_bound(pl, ref_band(i), scale_of(spheres[3 * count + j], rho));
             }
     }
