@@ -165,6 +165,7 @@ enum {
 #define SHI_LIGHTS_AT_ONCE 11                           /* ... and most vectors in a block: 16 would share cache sets */
 #define SHI_POLYNOMIAL_BANDS 10                         /* shi_horner's; the most that can be unrolled */
 #define SHI_ABREAST 4                                   /* columns computed at once beyond; twice as many are kept */
+#define SHI_PROFILE 9                                   /* numbers per band in shi_profile */
 #define SHI_ROWS(l, m) ((l) * ((l) + 1) / 2 + (m))      /* index into tables by band and m */
 
 #define SHI_LINE 100                                    /* coefficients of that many bands */
@@ -1573,24 +1574,24 @@ SHI_KERNEL void SHI_KN(shi_light_weights)(int n, int kinds, const SHI_KN(shi_lig
         for (l = 0; l < 2 && l < levels; l++) w[(t * levels + l) * nb] = w[(t * levels + levels - 1 - l) * nb] = zero;
 #define SHI_WEIGHT(kind, band) w[((kind) * levels + (band)) * nb]
     for (l = 0; l < n; l++) {
+        const SHI_T *const b = SHI_FN(shi_profile) + SHI_PROFILE * l;
         SHI_V f = tau * o->kappa;
-        if (l > 0) {                                            /* P_l' and P_l by differences, as in shi_cap */
-            const SHI_T r = SHI_FN(shi_reciprocal)[l];
-            slope = SHI_FMA(-o->kappa, slope, SHI_FMA(SHI_SPLAT(SHI_C(l)), p, slope));
-            step = SHI_FMA((SHI_C(1 - 2 * l) * r) * o->kappa, p, (SHI_C(l - 1) * r) * step);
-            p = p + step;
-            f = k[l & 1] * (slope * (r * SHI_FN(shi_reciprocal)[l + 1]));
+        if (l > 0) {                                    /* P_l' and P_l by differences, as in shi_cap; step: l times one */
+            slope = SHI_FMA(-o->kappa, slope, SHI_FMA(SHI_SPLAT(b[0]), p, slope));
+            step = SHI_FMA(b[2] * o->kappa, p, step);
+            p = SHI_FMA(SHI_SPLAT(b[3]), step, p);
+            f = k[l & 1] * (b[4] * slope);
         }
         SHI_WEIGHT(0, l) = l ? f : o->first;
         if (kinds >= 3) {
             const SHI_V g = f * i, f1 = k1[l & 1] * p;
-            if (l > 0) SHI_WEIGHT(1, l - 1) = f1 + SHI_C(l + 1) * g;
-            SHI_WEIGHT(2, l + 1) = f1 - SHI_C(l) * g;
+            if (l > 0) SHI_WEIGHT(1, l - 1) = f1 + b[1] * g;
+            SHI_WEIGHT(2, l + 1) = f1 - b[0] * g;
             if (kinds == SHI_ALL_KINDS) {                       /* f'', f'/rho and f/rho^2 */
                 const SHI_V f2 = SHI_FMA(p, bends[l & 1], -(slope * squares[l & 1])), f1i = f1 * i, gi = g * i;
-                if (l > 1) SHI_WEIGHT(3, l - 2) = f2 + (SHI_C(2 * l + 1) * f1i + SHI_C(l * l - 1) * gi);
-                SHI_WEIGHT(4, l) = f2 + (SHI_C(2) * f1i - SHI_C(l * (l + 1)) * gi);
-                SHI_WEIGHT(5, l + 2) = f2 - (SHI_C(2 * l + 1) * f1i - SHI_C(l * (l + 2)) * gi);
+                if (l > 1) SHI_WEIGHT(3, l - 2) = f2 + (b[5] * f1i + b[6] * gi);
+                SHI_WEIGHT(4, l) = f2 + (SHI_C(2) * f1i - b[7] * gi);
+                SHI_WEIGHT(5, l + 2) = f2 - (b[5] * f1i - b[8] * gi);
             }
         }
     }
@@ -4176,27 +4177,57 @@ static const SHI_T SHI_FN(shi_inverse_root)[36] = {
     SHI_C(0.016131130616527576), SHI_C(0.015626907697949846), SHI_C(0.01515325460564539),
     SHI_C(0.014707472779848216), SHI_C(0.014287172234821078)
 };
-/* [l]: 1/l, l >= 1 */
-static const SHI_T SHI_FN(shi_reciprocal)[68] = {
-    SHI_C(0.0), SHI_C(1.0), SHI_C(0.5), SHI_C(0.3333333333333333), SHI_C(0.25), SHI_C(0.2),
-    SHI_C(0.16666666666666666), SHI_C(0.14285714285714285), SHI_C(0.125), SHI_C(0.1111111111111111),
-    SHI_C(0.1), SHI_C(0.09090909090909091), SHI_C(0.08333333333333333), SHI_C(0.07692307692307693),
-    SHI_C(0.07142857142857142), SHI_C(0.06666666666666667), SHI_C(0.0625), SHI_C(0.058823529411764705),
-    SHI_C(0.05555555555555555), SHI_C(0.05263157894736842), SHI_C(0.05), SHI_C(0.047619047619047616),
-    SHI_C(0.045454545454545456), SHI_C(0.043478260869565216), SHI_C(0.041666666666666664), SHI_C(0.04),
-    SHI_C(0.038461538461538464), SHI_C(0.037037037037037035), SHI_C(0.03571428571428571),
-    SHI_C(0.034482758620689655), SHI_C(0.03333333333333333), SHI_C(0.03225806451612903), SHI_C(0.03125),
-    SHI_C(0.030303030303030304), SHI_C(0.029411764705882353), SHI_C(0.02857142857142857),
-    SHI_C(0.027777777777777776), SHI_C(0.02702702702702703), SHI_C(0.02631578947368421),
-    SHI_C(0.02564102564102564), SHI_C(0.025), SHI_C(0.024390243902439025), SHI_C(0.023809523809523808),
-    SHI_C(0.023255813953488372), SHI_C(0.022727272727272728), SHI_C(0.022222222222222223),
-    SHI_C(0.021739130434782608), SHI_C(0.02127659574468085), SHI_C(0.020833333333333332),
-    SHI_C(0.02040816326530612), SHI_C(0.02), SHI_C(0.0196078431372549), SHI_C(0.019230769230769232),
-    SHI_C(0.018867924528301886), SHI_C(0.018518518518518517), SHI_C(0.01818181818181818),
-    SHI_C(0.017857142857142856), SHI_C(0.017543859649122806), SHI_C(0.017241379310344827),
-    SHI_C(0.01694915254237288), SHI_C(0.016666666666666666), SHI_C(0.01639344262295082),
-    SHI_C(0.016129032258064516), SHI_C(0.015873015873015872), SHI_C(0.015625), SHI_C(0.015384615384615385),
-    SHI_C(0.015151515151515152), SHI_C(0.014925373134328358)
+/* [9 l]: l, l+1, 1-2l, 1/l, 1/(l(l+1)), 2l+1, l^2-1, l(l+1), l(l+2); quotients for l >= 1 */
+static const SHI_T SHI_FN(shi_profile)[288] = {
+    SHI_C(0.0), SHI_C(1.0), SHI_C(1.0), SHI_C(1.0), SHI_C(0.5), SHI_C(1.0), SHI_C(-1.0), SHI_C(0.0),
+    SHI_C(0.0), SHI_C(1.0), SHI_C(2.0), SHI_C(-1.0), SHI_C(1.0), SHI_C(0.5), SHI_C(3.0), SHI_C(0.0),
+    SHI_C(2.0), SHI_C(3.0), SHI_C(2.0), SHI_C(3.0), SHI_C(-3.0), SHI_C(0.5), SHI_C(0.16666666666666666),
+    SHI_C(5.0), SHI_C(3.0), SHI_C(6.0), SHI_C(8.0), SHI_C(3.0), SHI_C(4.0), SHI_C(-5.0),
+    SHI_C(0.3333333333333333), SHI_C(0.08333333333333333), SHI_C(7.0), SHI_C(8.0), SHI_C(12.0), SHI_C(15.0),
+    SHI_C(4.0), SHI_C(5.0), SHI_C(-7.0), SHI_C(0.25), SHI_C(0.05), SHI_C(9.0), SHI_C(15.0), SHI_C(20.0),
+    SHI_C(24.0), SHI_C(5.0), SHI_C(6.0), SHI_C(-9.0), SHI_C(0.2), SHI_C(0.03333333333333333), SHI_C(11.0),
+    SHI_C(24.0), SHI_C(30.0), SHI_C(35.0), SHI_C(6.0), SHI_C(7.0), SHI_C(-11.0), SHI_C(0.16666666666666666),
+    SHI_C(0.023809523809523808), SHI_C(13.0), SHI_C(35.0), SHI_C(42.0), SHI_C(48.0), SHI_C(7.0), SHI_C(8.0),
+    SHI_C(-13.0), SHI_C(0.14285714285714285), SHI_C(0.017857142857142856), SHI_C(15.0), SHI_C(48.0),
+    SHI_C(56.0), SHI_C(63.0), SHI_C(8.0), SHI_C(9.0), SHI_C(-15.0), SHI_C(0.125),
+    SHI_C(0.013888888888888888), SHI_C(17.0), SHI_C(63.0), SHI_C(72.0), SHI_C(80.0), SHI_C(9.0),
+    SHI_C(10.0), SHI_C(-17.0), SHI_C(0.1111111111111111), SHI_C(0.011111111111111112), SHI_C(19.0),
+    SHI_C(80.0), SHI_C(90.0), SHI_C(99.0), SHI_C(10.0), SHI_C(11.0), SHI_C(-19.0), SHI_C(0.1),
+    SHI_C(0.00909090909090909), SHI_C(21.0), SHI_C(99.0), SHI_C(110.0), SHI_C(120.0), SHI_C(11.0),
+    SHI_C(12.0), SHI_C(-21.0), SHI_C(0.09090909090909091), SHI_C(0.007575757575757576), SHI_C(23.0),
+    SHI_C(120.0), SHI_C(132.0), SHI_C(143.0), SHI_C(12.0), SHI_C(13.0), SHI_C(-23.0),
+    SHI_C(0.08333333333333333), SHI_C(0.00641025641025641), SHI_C(25.0), SHI_C(143.0), SHI_C(156.0),
+    SHI_C(168.0), SHI_C(13.0), SHI_C(14.0), SHI_C(-25.0), SHI_C(0.07692307692307693),
+    SHI_C(0.005494505494505495), SHI_C(27.0), SHI_C(168.0), SHI_C(182.0), SHI_C(195.0), SHI_C(14.0),
+    SHI_C(15.0), SHI_C(-27.0), SHI_C(0.07142857142857142), SHI_C(0.004761904761904762), SHI_C(29.0),
+    SHI_C(195.0), SHI_C(210.0), SHI_C(224.0), SHI_C(15.0), SHI_C(16.0), SHI_C(-29.0),
+    SHI_C(0.06666666666666667), SHI_C(0.004166666666666667), SHI_C(31.0), SHI_C(224.0), SHI_C(240.0),
+    SHI_C(255.0), SHI_C(16.0), SHI_C(17.0), SHI_C(-31.0), SHI_C(0.0625), SHI_C(0.003676470588235294),
+    SHI_C(33.0), SHI_C(255.0), SHI_C(272.0), SHI_C(288.0), SHI_C(17.0), SHI_C(18.0), SHI_C(-33.0),
+    SHI_C(0.058823529411764705), SHI_C(0.0032679738562091504), SHI_C(35.0), SHI_C(288.0), SHI_C(306.0),
+    SHI_C(323.0), SHI_C(18.0), SHI_C(19.0), SHI_C(-35.0), SHI_C(0.05555555555555555),
+    SHI_C(0.0029239766081871343), SHI_C(37.0), SHI_C(323.0), SHI_C(342.0), SHI_C(360.0), SHI_C(19.0),
+    SHI_C(20.0), SHI_C(-37.0), SHI_C(0.05263157894736842), SHI_C(0.002631578947368421), SHI_C(39.0),
+    SHI_C(360.0), SHI_C(380.0), SHI_C(399.0), SHI_C(20.0), SHI_C(21.0), SHI_C(-39.0), SHI_C(0.05),
+    SHI_C(0.002380952380952381), SHI_C(41.0), SHI_C(399.0), SHI_C(420.0), SHI_C(440.0), SHI_C(21.0),
+    SHI_C(22.0), SHI_C(-41.0), SHI_C(0.047619047619047616), SHI_C(0.0021645021645021645), SHI_C(43.0),
+    SHI_C(440.0), SHI_C(462.0), SHI_C(483.0), SHI_C(22.0), SHI_C(23.0), SHI_C(-43.0),
+    SHI_C(0.045454545454545456), SHI_C(0.001976284584980237), SHI_C(45.0), SHI_C(483.0), SHI_C(506.0),
+    SHI_C(528.0), SHI_C(23.0), SHI_C(24.0), SHI_C(-45.0), SHI_C(0.043478260869565216),
+    SHI_C(0.0018115942028985507), SHI_C(47.0), SHI_C(528.0), SHI_C(552.0), SHI_C(575.0), SHI_C(24.0),
+    SHI_C(25.0), SHI_C(-47.0), SHI_C(0.041666666666666664), SHI_C(0.0016666666666666668), SHI_C(49.0),
+    SHI_C(575.0), SHI_C(600.0), SHI_C(624.0), SHI_C(25.0), SHI_C(26.0), SHI_C(-49.0), SHI_C(0.04),
+    SHI_C(0.0015384615384615385), SHI_C(51.0), SHI_C(624.0), SHI_C(650.0), SHI_C(675.0), SHI_C(26.0),
+    SHI_C(27.0), SHI_C(-51.0), SHI_C(0.038461538461538464), SHI_C(0.0014245014245014246), SHI_C(53.0),
+    SHI_C(675.0), SHI_C(702.0), SHI_C(728.0), SHI_C(27.0), SHI_C(28.0), SHI_C(-53.0),
+    SHI_C(0.037037037037037035), SHI_C(0.0013227513227513227), SHI_C(55.0), SHI_C(728.0), SHI_C(756.0),
+    SHI_C(783.0), SHI_C(28.0), SHI_C(29.0), SHI_C(-55.0), SHI_C(0.03571428571428571),
+    SHI_C(0.0012315270935960591), SHI_C(57.0), SHI_C(783.0), SHI_C(812.0), SHI_C(840.0), SHI_C(29.0),
+    SHI_C(30.0), SHI_C(-57.0), SHI_C(0.034482758620689655), SHI_C(0.0011494252873563218), SHI_C(59.0),
+    SHI_C(840.0), SHI_C(870.0), SHI_C(899.0), SHI_C(30.0), SHI_C(31.0), SHI_C(-59.0),
+    SHI_C(0.03333333333333333), SHI_C(0.001075268817204301), SHI_C(61.0), SHI_C(899.0), SHI_C(930.0),
+    SHI_C(960.0), SHI_C(31.0), SHI_C(32.0), SHI_C(-61.0), SHI_C(0.03225806451612903),
+    SHI_C(0.0010080645161290322), SHI_C(63.0), SHI_C(960.0), SHI_C(992.0), SHI_C(1023.0)
 };
 /* [l]: Y_l0(+z) = sqrt((2l+1)/(4 pi)) */
 static const SHI_T SHI_FN(shi_zonal)[34] = {

@@ -13,6 +13,7 @@ from mpmath import mp, mpf, pi, sqrt
 mp.dps = 50
 TOP = 33            # highest l: 32 bands, and two more for the Hessians of moments
 POLYNOMIAL_BANDS = 10
+BANDS = 32
 
 
 def odd_factorial(k):                       # (2k-1)!!
@@ -64,6 +65,12 @@ def horner(m):
     return [[mpf(v.numerator) / v.denominator * norm(m + d, m) for v in row] for d, row in enumerate(rows)]
 
 
+def profile(l):
+    k = max(l, 1)
+    return [mpf(l), mpf(l + 1), mpf(1 - 2 * l), 1 / mpf(k), 1 / mpf(k * (k + 1)), mpf(2 * l + 1), mpf(l * l - 1),
+            mpf(l * (l + 1)), mpf(l * (l + 2))]
+
+
 def to_float(x):
     return struct.unpack("f", struct.pack("f", x))[0]
 
@@ -110,7 +117,8 @@ def block():
         table("shi_root", 72, "[k]: sqrt(k)", [sqrt(mpf(k)) for k in range(72)]),
         table("shi_inverse_root", TOP + 3, "[l]: 1/sqrt(4 l^2 - 1), l >= 1",
               [mpf(0)] + [1 / sqrt(mpf(4 * l * l - 1)) for l in range(1, TOP + 3)]),
-        table("shi_reciprocal", 2 * TOP + 2, "[l]: 1/l, l >= 1", [mpf(0)] + [1 / mpf(l) for l in range(1, 2 * TOP + 2)]),
+        table("shi_profile", 9 * BANDS, "[9 l]: l, l+1, 1-2l, 1/l, 1/(l(l+1)), 2l+1, l^2-1, l(l+1), l(l+2); quotients for l >= 1",
+              sum((profile(l) for l in range(BANDS)), [])),
         table("shi_zonal", TOP + 1, "[l]: Y_l0(+z) = sqrt((2l+1)/(4 pi))", [sqrt((2 * l + 1) / (4 * pi)) for l in range(TOP + 1)]),
         table("shi_horner", len(flat) + 16, "[100 k + l(l+1) + m]: q_l^|m| = z^((l-m)&1) sum_k c_k (z^2 - 1/2)^k, norm included; "
               "and room to read a register", flat + [mpf(0)] * 16),
