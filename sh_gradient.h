@@ -1481,9 +1481,8 @@ typedef struct {
     SHI_V x, y;             /* -(center - point)/d, or the other way for z < 0: powers of -x - iy carry the sign */
     SHI_M side;             /* z's sign bit */
     SHI_V inverse;          /* 1/d */
-    SHI_V alpha, kappa;     /* cos of the half-angle; 1 - cos */
+    SHI_V alpha, kappa;     /* cos of the half-angle; 1 - cos, 2 inside: band 0 has the whole sky, the others s2 = 0 */
     SHI_V s2, q;            /* (r/d)^2; s2/(alpha d) */
-    SHI_V first;            /* weight of band 0: 2 pi kappa, or 4 pi inside, where the others are 0 */
 } SHI_KN(shi_light);
 
 /* 1 - |z| of a vector that is of length one but for an excess of some eps, to an eps of its own, and what else hangs on z */
@@ -1501,7 +1500,7 @@ SHI_KERNEL SHI_V SHI_KN(shi_light_polar)(SHI_V x, SHI_V y, SHI_V z, SHI_KN(shi_l
 SHI_KERNEL SHI_V SHI_KN(shi_light_geometry)(const SHI_T point[3], const SHI_V center[3], SHI_V radius, int kinds,
                                             SHI_M flags[3], SHI_KN(shi_light) *o)
 {
-    const SHI_V zero = SHI_SPLAT(0), one = SHI_SPLAT(1), tau = SHI_SPLAT(SHI_C(6.2831853071795865));
+    const SHI_V zero = SHI_SPLAT(0), one = SHI_SPLAT(1);
     const SHI_V dx = point[0] - center[0], dy = point[1] - center[1], dz = center[2] - point[2];
     const SHI_V r2 = SHI_FMA(dx, dx, SHI_FMA(dy, dy, dz * dz)), rough = SHI_FMA(-radius, radius, r2);
     const SHI_M signs = SHI_BITS_OF(SHI_FMA(SHI_SPLAT(SHI_C(-0.5)), r2, rough)) | SHI_BITS_OF(radius);
@@ -1535,8 +1534,7 @@ SHI_KERNEL SHI_V SHI_KN(shi_light_geometry)(const SHI_T point[3], const SHI_V ce
         o->q = o->s2 * ig;
     }
     if (kinds == SHI_ALL_KINDS) o->alpha = alpha;
-    o->first = tau * o->kappa;
-    if (!plain) o->first = SHI_SELECT(inside, tau + tau, o->first);
+    if (!plain) o->kappa = SHI_SELECT(inside, one + one, o->kappa);
     return SHI_KN(shi_light_polar)(x, y, z, o);
 }
 
@@ -1558,21 +1556,14 @@ SHI_KERNEL void SHI_KN(shi_light_weights)(int n, int kinds, const SHI_KN(shi_lig
 {
     const SHI_T tau = SHI_C(6.2831853071795865);
     const SHI_V zero = SHI_SPLAT(0), q = kinds > 1 ? o->q : zero, i = kinds > 1 ? SHI_KN(shi_flip)(o->inverse, o->side) : zero;
-    const SHI_V bend = kinds == SHI_ALL_KINDS ? q * (SHI_C(3) * o->inverse + q / o->alpha) : zero;
-    SHI_V k[2], k1[2], bends[2], squares[2];                    /* of even and odd l; k1 goes to bands l - 1 and l + 1 */
+    const SHI_V bend = kinds == SHI_ALL_KINDS ? tau * (q * (SHI_C(3) * o->inverse + q / o->alpha)) : zero;
+    const SHI_V k = tau * o->s2, k1 = -tau * q, square = tau * (q * q);
+    SHI_M here = SHI_BITS_OF(zero), there = o->side;            /* signs of bands l, and l - 1 and l + 1 */
     SHI_V p = SHI_SPLAT(1), step = zero, slope = zero;
-    int l, t;
-    k[0] = tau * o->s2;
-    k1[1] = -tau * q;
-    bends[0] = tau * bend;
-    squares[0] = tau * (q * q);
-    k[1] = SHI_KN(shi_flip)(k[0], o->side);
-    k1[0] = SHI_KN(shi_flip)(k1[1], o->side);
-    bends[1] = SHI_KN(shi_flip)(bends[0], o->side);
-    squares[1] = SHI_KN(shi_flip)(squares[0], o->side);
-    for (t = 0; t < kinds; t++)                                 /* bands a kind does not reach */
-        for (l = 0; l < 2 && l < levels; l++) w[(t * levels + l) * nb] = w[(t * levels + levels - 1 - l) * nb] = zero;
+    int l;
 #define SHI_WEIGHT(kind, band) w[((kind) * levels + (band)) * nb]
+    if (kinds >= 3) SHI_WEIGHT(2, 0) = zero;                    /* low bands that a kind does not reach; nobody reads the high */
+    if (kinds == SHI_ALL_KINDS) SHI_WEIGHT(5, 0) = SHI_WEIGHT(5, 1) = zero;
     for (l = 0; l < n; l++) {
         const SHI_T *const b = SHI_FN(shi_profile) + SHI_PROFILE * l;
         SHI_V f = tau * o->kappa;
@@ -1580,20 +1571,22 @@ SHI_KERNEL void SHI_KN(shi_light_weights)(int n, int kinds, const SHI_KN(shi_lig
             slope = SHI_FMA(-o->kappa, slope, SHI_FMA(SHI_SPLAT(b[0]), p, slope));
             step = SHI_FMA(b[2] * o->kappa, p, step);
             p = SHI_FMA(SHI_SPLAT(b[3]), step, p);
-            f = k[l & 1] * (b[4] * slope);
+            f = SHI_KN(shi_flip)(k * (b[4] * slope), here);
         }
-        SHI_WEIGHT(0, l) = l ? f : o->first;
+        SHI_WEIGHT(0, l) = f;
         if (kinds >= 3) {
-            const SHI_V g = f * i, f1 = k1[l & 1] * p;
+            const SHI_V g = f * i, f1 = SHI_KN(shi_flip)(k1 * p, there);
             if (l > 0) SHI_WEIGHT(1, l - 1) = f1 + b[1] * g;
             SHI_WEIGHT(2, l + 1) = f1 - b[0] * g;
             if (kinds == SHI_ALL_KINDS) {                       /* f'', f'/rho and f/rho^2 */
-                const SHI_V f2 = SHI_FMA(p, bends[l & 1], -(slope * squares[l & 1])), f1i = f1 * i, gi = g * i;
+                const SHI_V f2 = SHI_KN(shi_flip)(SHI_FMA(p, bend, -(slope * square)), here), f1i = f1 * i, gi = g * i;
                 if (l > 1) SHI_WEIGHT(3, l - 2) = f2 + (b[5] * f1i + b[6] * gi);
                 SHI_WEIGHT(4, l) = f2 + (SHI_C(2) * f1i - b[7] * gi);
                 SHI_WEIGHT(5, l + 2) = f2 - (b[5] * f1i - b[8] * gi);
             }
         }
+        there = here;
+        here ^= o->side;
     }
 #undef SHI_WEIGHT
 }
