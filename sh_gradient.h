@@ -2059,23 +2059,28 @@ SHI_KERNEL void SHI_KN(shi_second_shared)(SHI_V z, SHI_V m, SHI_V q, SHI_V d, SH
     of[5] = SHI_FNMA(z, of[4], wz + d);
     of[6] = e - b;
 }
-/* f[] = U, U_x, U_y, U_xx, U_xy; i = 1/|v| in two steps: its square may overflow */
-SHI_KERNEL void SHI_KN(shi_second)(const SHI_V u[4], SHI_V i, const SHI_V of[7], const SHI_V f[5], SHI_T *y, SHI_T *g,
+/* f[] = U, U_x, U_y, U_xx, U_xy; i = 1/|v| in two steps: its square may overflow. part: 1 value and gradient, 2 Hessian,
+ * 3 both */
+SHI_KERNEL void SHI_KN(shi_second)(int part, const SHI_V u[4], SHI_V i, const SHI_V of[7], const SHI_V f[5], SHI_T *y, SHI_T *g,
                                    int g_plane, SHI_T *h, int plane)
 {
     const SHI_V b = of[0], q = of[1], d = of[2], f0 = i * f[0], f1 = i * f[1], f2 = i * f[2], xx = (i * f[3]) * q;
     const SHI_V k = f0 * b, s = f0 * of[4];
     const SHI_V px = SHI_FMA(f1, b, -(s * u[0])), py = SHI_FMA(f2, b, -(s * u[1])), pz = f0 * of[5];
-    SHI_STORE(y, f[0] * q);
-    SHI_STORE(g, SHI_FMA(f1, q, -(k * u[0])));
-    SHI_STORE(g + g_plane, SHI_FMA(f2, q, -(k * u[1])));
-    SHI_STORE(g + 2 * g_plane, f0 * of[3]);
-    SHI_STORE(h, i * SHI_FMA(SHI_C(-2) * u[0], px, xx - k));
-    SHI_STORE(h + plane, i * SHI_FMA(i * f[4], q, -SHI_FMA(u[0], py, u[1] * px)));
-    SHI_STORE(h + 2 * plane, i * SHI_FMA(f1, d, -SHI_FMA(u[0], pz, u[2] * px)));
-    SHI_STORE(h + 3 * plane, i * SHI_FMA(SHI_C(-2) * u[1], py, -xx - k));
-    SHI_STORE(h + 4 * plane, i * SHI_FMA(f2, d, -SHI_FMA(u[1], pz, u[2] * py)));
-    SHI_STORE(h + 5 * plane, i * SHI_FMA(SHI_C(-2) * u[2], pz, f0 * of[6]));
+    if (part & 1) {
+        SHI_STORE(y, f[0] * q);
+        SHI_STORE(g, SHI_FMA(f1, q, -(k * u[0])));
+        SHI_STORE(g + g_plane, SHI_FMA(f2, q, -(k * u[1])));
+        SHI_STORE(g + 2 * g_plane, f0 * of[3]);
+    }
+    if (part & 2) {
+        SHI_STORE(h, i * SHI_FMA(SHI_C(-2) * u[0], px, xx - k));
+        SHI_STORE(h + plane, i * SHI_FMA(i * f[4], q, -SHI_FMA(u[0], py, u[1] * px)));
+        SHI_STORE(h + 2 * plane, i * SHI_FMA(f1, d, -SHI_FMA(u[0], pz, u[2] * px)));
+        SHI_STORE(h + 3 * plane, i * SHI_FMA(SHI_C(-2) * u[1], py, -xx - k));
+        SHI_STORE(h + 4 * plane, i * SHI_FMA(f2, d, -SHI_FMA(u[1], pz, u[2] * py)));
+        SHI_STORE(h + 5 * plane, i * SHI_FMA(SHI_C(-2) * u[2], pz, f0 * of[6]));
+    }
 }
 /* f of orders m and -m from c[0], c[-1], c[-2] = U_m, U_{m-1}, U_{m-2} and s likewise, 0 where there is none */
 SHI_KERNEL void SHI_KN(shi_second_orders)(SHI_V m, const SHI_V *c, const SHI_V *s, SHI_V cosine[5], SHI_V sine[5])
@@ -2091,34 +2096,50 @@ SHI_KERNEL void SHI_KN(shi_second_orders)(SHI_V m, const SHI_V *c, const SHI_V *
     sine[3] = m2 * s[-2];
 }
 
+/* column m and the two after it, q[], to orders m and -m */
+SHI_KERNEL void SHI_KN(shi_second_column)(int part, int n, int m, const SHI_V u[4], SHI_V i, const SHI_V *const q[3],
+                                          const SHI_V *c, const SHI_V *s, SHI_T *y, int y_stride, SHI_T *g, int g_stride,
+                                          SHI_T *h, int stride)
+{
+    const int plane = n * n * stride, g_plane = n * n * g_stride;
+    const SHI_V zero = SHI_SPLAT(0);
+    SHI_V cosine[5], sine[5];
+    int l;
+    SHI_KN(shi_second_orders)(SHI_SPLAT(SHI_C(m)), c, s, cosine, sine);
+    for (l = m; l < n; l++) {
+        const SHI_T *const slope = SHI_FN(shi_slope) + SHI_ROWS(l, m);
+        const SHI_V d = l > m ? slope[0] * q[1][l] : zero, e = l > m + 1 ? (slope[0] * slope[1]) * q[2][l] : zero;
+        const int up = l * l + l + m, down = up - 2 * m;
+        SHI_V of[7];
+        SHI_KN(shi_second_shared)(u[2], SHI_SPLAT(SHI_C(m)), q[0][l], d, e, of);
+        SHI_KN(shi_second)(part, u, i, of, cosine, y + up * y_stride, g + up * g_stride, g_plane, h + up * stride, plane);
+        if (m)
+            SHI_KN(shi_second)(part, u, i, of, sine, y + down * y_stride, g + down * g_stride, g_plane, h + down * stride, plane);
+    }
+}
+
 /* y[N], g[3][N], h[6][N] of Y(v/|v|) */
 SHI_KERNEL void SHI_KN(shi_hessian)(int n, const SHI_V u[4], SHI_V i, SHI_T *y, int y_stride, SHI_T *g, int g_stride, SHI_T *h,
                                     int stride)
 {
-    const int plane = n * n * stride, g_plane = n * n * g_stride;
-    const SHI_V zero = SHI_SPLAT(0);
+    /* ten planes a multiple of 4 KiB apart meet in one set of a cache of 8 ways: then value and gradient first */
+    const int apart = n * n * stride * (int)sizeof(SHI_T) % 4096 == 0;
     SHI_V a[3], column[SHI_RING][SHI_COLUMN], c[2 + SHI_COLUMN], s[2 + SHI_COLUMN];
-    int l, m;
-    c[0] = c[1] = s[0] = s[1] = zero;
+    int m, k;
+    c[0] = c[1] = s[0] = s[1] = SHI_SPLAT(0);
     SHI_BN(shi_polar)(u, a);
     SHI_BN(shi_column)(0, n, a, column);
     SHI_BN(shi_column)(1, n, a, column);
     for (m = 0; m < n; m++) {
-        const SHI_V *const q0 = column[m % SHI_RING], *const q1 = column[(m + 1) % SHI_RING];
-        const SHI_V *const q2 = column[(m + 2) % SHI_RING];
-        SHI_V cosine[5], sine[5];
+        const SHI_V *q[3];
         SHI_BN(shi_column)(m + 2, n, a, column);
         SHI_KN(shi_power)(m, u, c + 2, s + 2);
-        SHI_KN(shi_second_orders)(SHI_SPLAT(SHI_C(m)), c + 2 + m, s + 2 + m, cosine, sine);
-        for (l = m; l < n; l++) {
-            const SHI_T *const slope = SHI_FN(shi_slope) + SHI_ROWS(l, m);
-            const SHI_V d = l > m ? slope[0] * q1[l] : zero, e = l > m + 1 ? (slope[0] * slope[1]) * q2[l] : zero;
-            const int up = l * l + l + m, down = up - 2 * m;
-            SHI_V of[7];
-            SHI_KN(shi_second_shared)(u[2], SHI_SPLAT(SHI_C(m)), q0[l], d, e, of);
-            SHI_KN(shi_second)(u, i, of, cosine, y + up * y_stride, g + up * g_stride, g_plane, h + up * stride, plane);
-            if (m)
-                SHI_KN(shi_second)(u, i, of, sine, y + down * y_stride, g + down * g_stride, g_plane, h + down * stride, plane);
+        for (k = 0; k < 3; k++) q[k] = column[(m + k) % SHI_RING];
+        if (!apart) {
+            SHI_KN(shi_second_column)(3, n, m, u, i, q, c + 2 + m, s + 2 + m, y, y_stride, g, g_stride, h, stride);
+        } else {
+            SHI_KN(shi_second_column)(1, n, m, u, i, q, c + 2 + m, s + 2 + m, y, y_stride, g, g_stride, h, stride);
+            SHI_KN(shi_second_column)(2, n, m, u, i, q, c + 2 + m, s + 2 + m, y, y_stride, g, g_stride, h, stride);
         }
     }
 }
@@ -2254,8 +2275,8 @@ SHI_KERNEL int SHI_KN(shi_one_any)(int n, int planes, const SHI_T v[3], SHI_T *y
                 SHI_V of[7], e = (SHI_LOAD(slope) * SHI_LOAD(slope + 1)) * SHI_KN(shi_orders_row)(2, l, m, a, &o);
                 e = SHI_SELECT((SHI_M)(o.order + SHI_C(1) < o.band), e, zero);
                 SHI_KN(shi_second_shared)(u[2], o.order, q, d, e, of);
-                SHI_KN(shi_second)(u, i, of, cosine, up[0], up[1], SHI_W, up[4], SHI_W);
-                SHI_KN(shi_second)(u, i, of, sine, down[0], down[1], SHI_W, down[4], SHI_W);
+                SHI_KN(shi_second)(3, u, i, of, cosine, up[0], up[1], SHI_W, up[4], SHI_W);
+                SHI_KN(shi_second)(3, u, i, of, sine, down[0], down[1], SHI_W, down[4], SHI_W);
             }
             SHI_KN(shi_put_orders)(l, m, SHI_LOAD(up[0]), SHI_LOAD(down[0]), y, ys);
             SHI_UNROLL
