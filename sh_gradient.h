@@ -410,6 +410,10 @@ SHI_KERNEL void  SHI_PUT(SHI_T *p, SHI_V v, int single)    /* all lanes, or the 
     else memcpy(p, &v, sizeof v);
 }
 SHI_KERNEL SHI_M SHI_BITS_OF(SHI_V v)              { SHI_M m; memcpy(&m, &v, sizeof m); return m; }
+SHI_KERNEL SHI_M SHI_KN(shi_sign)(SHI_V v)                  /* the sign bit alone */
+{
+    return SHI_BITS_OF(v) & ~(SHI_I)(((unsigned long long)1 << (SHI_BITS - 1)) - 1);
+}
 SHI_KERNEL SHI_V SHI_KN(shi_flip)(SHI_V v, SHI_M signs)     /* -v where the sign bit is set */
 {
     const SHI_M m = SHI_BITS_OF(v) ^ signs;
@@ -1376,7 +1380,7 @@ SHI_KERNEL void SHI_KN(shi_sum_horner)(int n, int with_grad, const SHI_T *a, con
 
 SHI_KERNEL void SHI_KN(shi_sum_forward)(int n, int with_grad, const SHI_T *a, const SHI_V u[4], SHI_V *value, SHI_V f[3])
 {
-    SHI_V c[SH_MAX_BANDS], s[SH_MAX_BANDS], polar[3], column[2 * SHI_ABREAST][SH_MAX_BANDS];
+    SHI_V c[SH_MAX_BANDS], s[SH_MAX_BANDS], polar[2], column[2 * SHI_ABREAST][SH_MAX_BANDS];
     int l, m;
     SHI_KN(shi_polar_any)(u, polar);
     SHI_KN(shi_column_any)(0, n, polar, column);
@@ -1485,11 +1489,11 @@ typedef struct {
     SHI_V s2, q;            /* (r/d)^2; s2/(alpha d) */
 } SHI_KN(shi_light);
 
-/* 1 - |z| of a vector that is of length one but for an excess of some eps, to an eps of its own, and what else hangs on z */
+/* 1 - |z|, to an eps of its own, of a vector whose length is one but for some eps; and what else hangs on z */
 SHI_KERNEL SHI_V SHI_KN(shi_light_polar)(SHI_V x, SHI_V y, SHI_V z, SHI_KN(shi_light) *o)
 {
     const SHI_V r2 = SHI_FMA(x, x, y * y), e = SHI_FMA(z, z, SHI_SPLAT(-1)) + r2;
-    o->side = SHI_BITS_OF(z) & SHI_BITS_OF(-SHI_SPLAT(0));
+    o->side = SHI_KN(shi_sign)(z);
     o->x = SHI_KN(shi_flip)(x, o->side);
     o->y = SHI_KN(shi_flip)(y, o->side);
     return SHI_FMA(-e, r2, r2) / (SHI_C(1) + SHI_ABS(SHI_FMA(z, SHI_C(-0.5) * e, z)));
@@ -1555,14 +1559,15 @@ SHI_KERNEL void SHI_KN(shi_light_powers)(SHI_V x, SHI_V y, SHI_V radiance, int l
 SHI_KERNEL void SHI_KN(shi_light_weights)(int n, int kinds, const SHI_KN(shi_light) *o, int levels, int nb, SHI_V *w)
 {
     const SHI_T tau = SHI_C(6.2831853071795865);
-    const SHI_V zero = SHI_SPLAT(0), q = kinds > 1 ? o->q : zero, i = kinds > 1 ? SHI_KN(shi_flip)(o->inverse, o->side) : zero;
+    const SHI_V zero = SHI_SPLAT(0), q = kinds > 1 ? o->q : zero;
+    const SHI_V i = kinds > 1 ? SHI_KN(shi_flip)(o->inverse, o->side) : zero;
     const SHI_V bend = kinds == SHI_ALL_KINDS ? tau * (q * (SHI_C(3) * o->inverse + q / o->alpha)) : zero;
     const SHI_V k = tau * o->s2, k1 = -tau * q, square = tau * (q * q);
     SHI_M here = SHI_BITS_OF(zero), there = o->side;            /* signs of bands l, and l - 1 and l + 1 */
     SHI_V p = SHI_SPLAT(1), step = zero, slope = zero;
     int l;
 #define SHI_WEIGHT(kind, band) w[((kind) * levels + (band)) * nb]
-    if (kinds >= 3) SHI_WEIGHT(2, 0) = zero;                    /* low bands that a kind does not reach; nobody reads the high */
+    if (kinds >= 3) SHI_WEIGHT(2, 0) = zero;            /* low bands that a kind does not reach; nobody reads the high */
     if (kinds == SHI_ALL_KINDS) SHI_WEIGHT(5, 0) = SHI_WEIGHT(5, 1) = zero;
     for (l = 0; l < n; l++) {
         const SHI_T *const b = SHI_FN(shi_profile) + SHI_PROFILE * l;
@@ -1609,8 +1614,8 @@ SHI_KERNEL SHI_V SHI_KN(shi_fall)(SHI_T r, SHI_V t, SHI_V p, SHI_V b)
 /* `rows` bands of column m, the last one at distance e_last, over the nb vectors of a block: M22's reverse order on a
  * CPU, the sums in registers. first: the column starts here; more: it goes on. sum[rows][kinds][2] */
 SHI_KERNEL void SHI_KN(shi_light_rows)(int rows, int kinds, int e_last, int zonal, int first, int more, int nb,
-                                       const SHI_T ratio[4], const SHI_V *polar, const SHI_V *c, const SHI_V *v, const SHI_V *w, int kind_stride,
-                                       SHI_V *qa, SHI_V *qb, SHI_V *sum)
+                                       const SHI_T ratio[4], const SHI_V *polar, const SHI_V *c, const SHI_V *v,
+                                       const SHI_V *w, int kind_stride, SHI_V *qa, SHI_V *qb, SHI_V *sum)
 {
     SHI_V a[2 * SHI_ALL_KINDS], b[2 * SHI_ALL_KINDS];
     const int slots = rows * kinds;
@@ -1844,21 +1849,20 @@ SHI_NOINLINE int SHI_KN(shi_moments_hessian)(int n, int channels, const SHI_T *p
  * ============================================================================================================= */
 #elif SHI_ROOM == SHI_BASIS
 
-/* what the columns need of a unit vector: z, and t, or w and z's sign on a zero */
-SHI_KERNEL void SHI_BN(shi_polar)(const SHI_V u[4], SHI_V a[3])
+/* what the columns need of a unit vector: z, and t or 1 - |z| */
+SHI_KERNEL void SHI_BN(shi_polar)(const SHI_V u[4], SHI_V a[2])
 {
     a[0] = u[2];
 #if SHI_FIXED
-    a[1] = a[2] = u[3];
+    a[1] = u[3];
 #else
     a[1] = SHI_FMA(u[0], u[0], u[1] * u[1]) / (SHI_C(1) + SHI_ABS(u[2]));
-    a[2] = SHI_SELECT((SHI_M)(u[2] < SHI_SPLAT(0)), -SHI_SPLAT(0), SHI_SPLAT(0));
 #endif
 }
 
 /* column[m % SHI_RING][l] = q_l^m for l = m .. n-1, norm included; called for m = 0, 1, ... */
 #if SHI_FIXED
-SHI_KERNEL void SHI_BN(shi_column)(int m, int n, const SHI_V a[3], SHI_V (*column)[SHI_COLUMN])
+SHI_KERNEL void SHI_BN(shi_column)(int m, int n, const SHI_V a[2], SHI_V (*column)[SHI_COLUMN])
 {
     SHI_V *const q = column[m % SHI_RING];
     int l, k;
@@ -1877,12 +1881,12 @@ typedef struct {
     SHI_V t, p[SHI_ABREAST], d[SHI_ABREAST];
     SHI_M flip[2];                                  /* sign bits of z^(l-m), even and odd columns */
 } SHI_KN(shi_run);
-SHI_KERNEL void SHI_KN(shi_run_start)(const SHI_V a[3], SHI_KN(shi_run) *o)
+SHI_KERNEL void SHI_KN(shi_run_start)(const SHI_V a[2], SHI_KN(shi_run) *o)
 {
     int j;
     o->t = a[1];
     o->flip[0] = SHI_BITS_OF(SHI_SPLAT(0));
-    o->flip[1] = SHI_BITS_OF(a[2]);
+    o->flip[1] = SHI_KN(shi_sign)(a[0]);
     SHI_UNROLL
     for (j = 0; j < SHI_ABREAST; j++) {
         o->p[j] = SHI_SPLAT(1);
@@ -1922,7 +1926,7 @@ SHI_KERNEL void SHI_KN(shi_run_put)(int l, int m, int started, int values, const
         }
     }
 }
-SHI_KERNEL void SHI_KN(shi_run_columns)(int m, int n, int values, const SHI_V a[3], SHI_V (*column)[SHI_COLUMN],
+SHI_KERNEL void SHI_KN(shi_run_columns)(int m, int n, int values, const SHI_V a[2], SHI_V (*column)[SHI_COLUMN],
                                         const SHI_V *c, const SHI_V *s, SHI_T *y, int stride)
 {
     SHI_KN(shi_run) o;
@@ -1942,16 +1946,16 @@ SHI_KERNEL void SHI_KN(shi_run_columns)(int m, int n, int values, const SHI_V a[
     }
 }
 /* functions of their own, or gcc keeps the columns in memory as they run */
-SHI_NOINLINE void SHI_KN(shi_columns)(int m, int n, const SHI_V a[3], SHI_V (*column)[SHI_COLUMN])
+SHI_NOINLINE void SHI_KN(shi_columns)(int m, int n, const SHI_V a[2], SHI_V (*column)[SHI_COLUMN])
 {
     SHI_KN(shi_run_columns)(m, n, 0, a, column, NULL, NULL, NULL, 0);
 }
-SHI_NOINLINE void SHI_KN(shi_columns_values)(int m, int n, const SHI_V a[3], const SHI_V *c, const SHI_V *s, SHI_T *y,
+SHI_NOINLINE void SHI_KN(shi_columns_values)(int m, int n, const SHI_V a[2], const SHI_V *c, const SHI_V *s, SHI_T *y,
                                              int stride)
 {
     SHI_KN(shi_run_columns)(m, n, 1, a, NULL, c, s, y, stride);
 }
-SHI_KERNEL void SHI_BN(shi_column)(int m, int n, const SHI_V a[3], SHI_V (*column)[SHI_COLUMN])
+SHI_KERNEL void SHI_BN(shi_column)(int m, int n, const SHI_V a[2], SHI_V (*column)[SHI_COLUMN])
 {
     if (m % SHI_ABREAST == 0 && m < n) SHI_KN(shi_columns)(m, n, a, column + m % SHI_RING);
 }
@@ -1961,7 +1965,7 @@ SHI_KERNEL void SHI_BN(shi_column)(int m, int n, const SHI_V a[3], SHI_V (*colum
 SHI_KERNEL void SHI_BN(shi_values)(int n, int single, const SHI_V u[4], SHI_T *y, int stride)
 {
 #if SHI_FIXED
-    SHI_V a[3], column[SHI_RING][SHI_COLUMN], c[SHI_COLUMN], s[SHI_COLUMN];
+    SHI_V a[2], column[SHI_RING][SHI_COLUMN], c[SHI_COLUMN], s[SHI_COLUMN];
     int l, m;
     SHI_BN(shi_polar)(u, a);
     SHI_BN(shi_column)(0, n, a, column);
@@ -1980,7 +1984,7 @@ SHI_KERNEL void SHI_BN(shi_values)(int n, int single, const SHI_V u[4], SHI_T *y
         }
     }
 #else
-    SHI_V a[3], c[SH_MAX_BANDS + SHI_ABREAST], s[SH_MAX_BANDS + SHI_ABREAST];
+    SHI_V a[2], c[SH_MAX_BANDS + SHI_ABREAST], s[SH_MAX_BANDS + SHI_ABREAST];
     int m, j;
     (void)single;                               /* one direction goes by its orders */
     SHI_BN(shi_polar)(u, a);
@@ -1998,7 +2002,7 @@ SHI_KERNEL void SHI_BN(shi_gradient)(int n, int single, const SHI_V u[4], SHI_V 
 {
     const SHI_V z = u[2], xi = -u[0] * i, vi = -u[1] * i, zero = SHI_SPLAT(0);
     SHI_T *const gx = g, *const gy = gx + n * n * stride, *const gz = gy + n * n * stride;
-    SHI_V a[3], column[SHI_RING][SHI_COLUMN], c[SHI_COLUMN], s[SHI_COLUMN];
+    SHI_V a[2], column[SHI_RING][SHI_COLUMN], c[SHI_COLUMN], s[SHI_COLUMN];
     int l, m;
     SHI_BN(shi_polar)(u, a);
     SHI_BN(shi_column)(0, n, a, column);
@@ -2124,7 +2128,7 @@ SHI_KERNEL void SHI_KN(shi_hessian)(int n, const SHI_V u[4], SHI_V i, SHI_T *y, 
 {
     /* ten planes a multiple of 4 KiB apart meet in one set of a cache of 8 ways: then value and gradient first */
     const int apart = n * n * stride * (int)sizeof(SHI_T) % 4096 == 0;
-    SHI_V a[3], column[SHI_RING][SHI_COLUMN], c[2 + SHI_COLUMN], s[2 + SHI_COLUMN];
+    SHI_V a[2], column[SHI_RING][SHI_COLUMN], c[2 + SHI_COLUMN], s[2 + SHI_COLUMN];
     int m, k;
     c[0] = c[1] = s[0] = s[1] = SHI_SPLAT(0);
     SHI_BN(shi_polar)(u, a);
@@ -2187,7 +2191,7 @@ typedef struct {
     SHI_V order, band, p[3], d[3];
     SHI_M flip[2];                                  /* sign bits of z^(l-m), even and odd l - m in the first lane */
 } SHI_KN(shi_orders);
-SHI_KERNEL void SHI_KN(shi_orders_start)(int m, const SHI_V a[3], SHI_KN(shi_orders) *o)
+SHI_KERNEL void SHI_KN(shi_orders_start)(int m, const SHI_V a[2], SHI_KN(shi_orders) *o)
 {
     SHI_T lane[SHI_W];
     int k;
@@ -2201,10 +2205,10 @@ SHI_KERNEL void SHI_KN(shi_orders_start)(int m, const SHI_V a[3], SHI_KN(shi_ord
         o->d[k] = SHI_SPLAT(0);
     }
     SHI_UNROLL
-    for (k = 0; k < 2; k++) o->flip[k] = SHI_BITS_OF(SHI_KN(shi_where)(1, !k, a[2], SHI_SPLAT(0)));
+    for (k = 0; k < 2; k++) o->flip[k] = SHI_KN(shi_sign)(SHI_KN(shi_where)(1, !k, a[0], SHI_SPLAT(0)));
 }
 /* q_l^{m+j}, orders m, m+1, ..., to the bit as shi_run_row has it; void where m + j > l */
-SHI_KERNEL SHI_V SHI_KN(shi_orders_row)(int j, int l, int m, const SHI_V a[3], SHI_KN(shi_orders) *o)
+SHI_KERNEL SHI_V SHI_KN(shi_orders_row)(int j, int l, int m, const SHI_V a[2], SHI_KN(shi_orders) *o)
 {
     const SHI_T *const step = SHI_FN(shi_step) + SHI_ROWS(l, m) + j, *const pole = SHI_FN(shi_pole) + SHI_ROWS(l, m) + j;
     const SHI_M begun = (SHI_M)(o->order + SHI_C(j) < o->band);
@@ -2235,7 +2239,7 @@ SHI_KERNEL void SHI_KN(shi_orders_gradient)(SHI_V m, const SHI_V u[4], SHI_V i, 
 SHI_KERNEL int SHI_KN(shi_one_any)(int n, int planes, const SHI_T v[3], SHI_T *y, int ys, SHI_T *g, int gs, SHI_T *h, int hs)
 {
     SHI_T before[2][2 + SH_MAX_BANDS];                          /* [0][2 + m] = U_m, [1][2 + m] = V_m */
-    SHI_V w[3], u[4], i, a[3], c[SH_MAX_BANDS / SHI_W], s[SH_MAX_BANDS / SHI_W];
+    SHI_V w[3], u[4], i, a[2], c[SH_MAX_BANDS / SHI_W], s[SH_MAX_BANDS / SHI_W];
     int l, m, k;
     for (k = 0; k < 3; k++) w[k] = SHI_KEEP(SHI_SPLAT(v[k]));
     if (!SHI_KN(shi_unit)(w, 1, u, &i)) return 0;

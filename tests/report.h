@@ -52,6 +52,13 @@ int  row_print(void **state);              /* group teardown: the table, above c
 #define BOTH_TESTS(f) cmocka_unit_test(f##_f32), cmocka_unit_test(f##_f64)
 #define RUN_TESTS(t)  cmocka_run_group_tests(t, NULL, row_print)
 
+/* -ffast-math gives up bits of a batch that are those of single calls, and twice the working precision in double */
+#ifdef __FAST_MATH__
+enum { FAST_MATH = 1 };
+#else
+enum { FAST_MATH = 0 };
+#endif
+
 /* How much random testing: SH_TEST_EFFORT in the environment, 1 by default; effort(100) is 100 times that. */
 int effort(int count);
 
