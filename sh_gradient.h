@@ -1489,14 +1489,13 @@ typedef struct {
     SHI_V s2, q;            /* (r/d)^2; s2/(alpha d) */
 } SHI_KN(shi_light);
 
-/* 1 - |z|, to an eps of its own, of a vector whose length is one but for some eps; and what else hangs on z */
-SHI_KERNEL SHI_V SHI_KN(shi_light_polar)(SHI_V x, SHI_V y, SHI_V z, SHI_KN(shi_light) *o)
+/* 1 - |z|, to an eps of its own, from r2 = x^2 + y^2 of a unit vector; and what else hangs on z */
+SHI_KERNEL SHI_V SHI_KN(shi_light_polar)(SHI_V x, SHI_V y, SHI_V z, SHI_V r2, SHI_KN(shi_light) *o)
 {
-    const SHI_V r2 = SHI_FMA(x, x, y * y), e = SHI_FMA(z, z, SHI_SPLAT(-1)) + r2;
     o->side = SHI_KN(shi_sign)(z);
     o->x = SHI_KN(shi_flip)(x, o->side);
     o->y = SHI_KN(shi_flip)(y, o->side);
-    return SHI_FMA(-e, r2, r2) / (SHI_C(1) + SHI_ABS(SHI_FMA(z, SHI_C(-0.5) * e, z)));
+    return r2 / (SHI_C(1) + SHI_ABS(z));
 }
 
 /* returns 1 - |z|; adds to flags: inside, not finite, negative radius. A register with nothing of the kind, and no light
@@ -1509,7 +1508,7 @@ SHI_KERNEL SHI_V SHI_KN(shi_light_geometry)(const SHI_T point[3], const SHI_V ce
     const SHI_V r2 = SHI_FMA(dx, dx, SHI_FMA(dy, dy, dz * dz)), rough = SHI_FMA(-radius, radius, r2);
     const SHI_M signs = SHI_BITS_OF(SHI_FMA(SHI_SPLAT(SHI_C(-0.5)), r2, rough)) | SHI_BITS_OF(radius);
     const int plain = !SHI_ANY(signs | SHI_KN(shi_out_of)(rough, SHI_MIN2, SHI_MAX2));
-    SHI_V gap = rough, length = r2, hole = gap, s, i, ig, x, y, z, alpha;
+    SHI_V gap = rough, length = r2, hole = gap, s, i, ig, x, y, z, xy, e, alpha;
     SHI_M inside = SHI_BITS_OF(zero), none = inside;
     if (SHI_RARELY(!plain)) {
         const SHI_M close = (SHI_M)(rough < SHI_C(0.5) * r2);
@@ -1528,6 +1527,7 @@ SHI_KERNEL SHI_V SHI_KN(shi_light_geometry)(const SHI_T point[3], const SHI_V ce
     x = dx * i;
     y = dy * i;
     z = dz * i;
+    xy = SHI_FMA(x, x, y * y);
     if (!plain) s = SHI_SELECT(none, zero, s);
     o->s2 = s * s;
     alpha = (gap * ig) * i;
@@ -1539,7 +1539,8 @@ SHI_KERNEL SHI_V SHI_KN(shi_light_geometry)(const SHI_T point[3], const SHI_V ce
     }
     if (kinds == SHI_ALL_KINDS) o->alpha = alpha;
     if (!plain) o->kappa = SHI_SELECT(inside, one + one, o->kappa);
-    return SHI_KN(shi_light_polar)(x, y, z, o);
+    e = SHI_FMA(z, z, SHI_SPLAT(-1)) + xy;              /* as shi_polish */
+    return SHI_KN(shi_light_polar)(x, y, SHI_FMA(z, SHI_C(-0.5) * e, z), SHI_FMA(-e, xy, xy), o);
 }
 
 /* c, v [levels]: U_m, V_m times radiance, nb vectors from one m to the next */
@@ -1747,7 +1748,7 @@ SHI_KERNEL int SHI_KN(shi_sample_geometry)(const SHI_T *dirs, size_t count, size
     SHI_KN(shi_direction) d;
     SHI_KN(shi_direct_plain)(dirs + 3 * first, count - first, &d);
     o->inverse = d.inverse;
-    *polar = SHI_KN(shi_light_polar)(-d.u[0], -d.u[1], d.u[2], o);
+    *polar = SHI_KN(shi_light_polar)(-d.u[0], -d.u[1], d.u[2], SHI_FMA(d.u[0], d.u[0], d.u[1] * d.u[1]), o);
     return d.good;
 }
 
@@ -1788,8 +1789,9 @@ SHI_KERNEL int SHI_KN(shi_moments)(int n, int kinds, int channels, const SHI_T *
                 }
             }
             for (i = 0; i < nb && point; i++) SHI_KN(shi_light_weights)(n, kinds, &lights[i], levels, nb, weights + i);
-            for (i = 0; i < nb * levels && !point; i++)
-                weights[i] = SHI_KN(shi_flip)(SHI_SPLAT(1), i / nb & 1 ? lights[i % nb].side : SHI_BITS_OF(SHI_SPLAT(0)));
+            for (j = 0; j < levels && !point; j++)
+                for (i = 0; i < nb; i++)
+                    weights[j * nb + i] = j & 1 ? SHI_KN(shi_flip)(SHI_SPLAT(1), lights[i].side) : SHI_SPLAT(1);
             for (channel = 0, at = 0; channel < channels; channel++) {
                 const SHI_T *const power = radiance ? radiance + (size_t)channel * count : NULL;
                 for (i = 0; i < nb; i++)
