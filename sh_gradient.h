@@ -1917,7 +1917,7 @@ SHI_KERNEL void SHI_KN(shi_run_row)(int l, int m, int running, SHI_KN(shi_run) *
 SHI_KERNEL void SHI_KN(shi_run_put)(int l, int m, int started, int values, const SHI_V *q, SHI_V (*column)[SHI_COLUMN],
                                     const SHI_V *c, const SHI_V *s, SHI_T *y, int stride)
 {
-    SHI_T *const up = y + (l * l + l + m) * stride, *const down = y + (l * l + l - m) * stride;
+    SHI_T *const up = values ? y + (l * l + l + m) * stride : y, *const down = values ? y + (l * l + l - m) * stride : y;
     int j;
     SHI_UNROLL
     for (j = 0; j < SHI_ABREAST; j++) {
