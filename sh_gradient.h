@@ -683,6 +683,16 @@ SHI_KERNEL SHI_V SHI_FNMA(SHI_V a, SHI_V b, SHI_V c)
     return SHI_FMA(-a, b, c);
 #endif
 }
+/* b_{l+1} = p_l - p_{l+1} of shi_run's recurrence, at t = 1 - |z|: r t p_l + (r - 1) b_l, r = -step. Two multiply-adds
+ * where they are fused; else three products, whose roundings weigh less */
+SHI_KERNEL SHI_V SHI_KN(shi_fall)(SHI_T r, SHI_V t, SHI_V p, SHI_V b)
+{
+#if defined(__FMA__) || defined(__aarch64__)
+    return SHI_FMA(SHI_SPLAT(r), SHI_FMA(t, p, b), -b);
+#else
+    return (r * t) * p + (r - 1) * b;
+#endif
+}
 /* what rounding took from s = d * d: one multiply-add where there is a fused one, else Dekker's product */
 SHI_KERNEL SHI_V SHI_KN(shi_square_error)(SHI_V d, SHI_V s)
 {
@@ -746,7 +756,7 @@ SHI_KERNEL void SHI_KN(shi_powers)(int n, const SHI_V u[4], SHI_V *c, SHI_V *s)
     }
     SHI_UNROLL
     for (r = 1; r < SH_MAX_BANDS / SHI_W; r++) {
-        const int m = r * SHI_W, top = m >= 16 ? 16 : m >= 8 ? 8 : m >= 4 ? 4 : m >= 2 ? 2 : 1;
+        const int m = r * SHI_W, top = m >= 16 ? 16 : m >= 8 ? 8 : m >= 4 ? 4 : 2;
         if (m < n) {
             c[r] = c[r - top / SHI_W];
             s[r] = s[r - top / SHI_W];
@@ -1601,17 +1611,6 @@ SHI_KERNEL void SHI_KN(shi_light_weights)(int n, int kinds, const SHI_KN(shi_lig
 #define SHI_KINDS_AT(e) (((e) <= 0 ? 1u : 0u) | ((e) <= -1 ? 2u : 0u) | ((e) <= 1 ? 4u : 0u) \
                        | ((e) <= -2 ? 8u : 0u) | ((e) <= 0 ? 16u : 0u) | ((e) <= 2 ? 32u : 0u))
 
-/* b_{l+1} = p_l - p_{l+1} of shi_run's recurrence, at t = 1 - |z|: r t p_l + (r - 1) b_l, r = -step. Two multiply-adds
- * where they are fused; else three products, whose roundings weigh less */
-SHI_KERNEL SHI_V SHI_KN(shi_fall)(SHI_T r, SHI_V t, SHI_V p, SHI_V b)
-{
-#if defined(__FMA__) || defined(__aarch64__)
-    return SHI_FMA(SHI_SPLAT(r), SHI_FMA(t, p, b), -b);
-#else
-    return (r * t) * p + (r - 1) * b;
-#endif
-}
-
 /* `rows` bands of column m, the last one at distance e_last, over the nb vectors of a block: M22's reverse order on a
  * CPU, the sums in registers. first: the column starts here; more: it goes on. sum[rows][kinds][2] */
 SHI_KERNEL void SHI_KN(shi_light_rows)(int rows, int kinds, int e_last, int zonal, int first, int more, int nb,
@@ -2129,7 +2128,7 @@ SHI_KERNEL void SHI_KN(shi_hessian)(int n, const SHI_V u[4], SHI_V i, SHI_T *y, 
                                     int stride)
 {
     /* ten planes a multiple of 4 KiB apart meet in one set of a cache of 8 ways: then value and gradient first */
-    const int apart = n * n * stride * (int)sizeof(SHI_T) % 4096 == 0;
+    const int apart = stride && n * n * stride * (int)sizeof(SHI_T) % 4096 == 0;
     SHI_V a[2], column[SHI_RING][SHI_COLUMN], c[2 + SHI_COLUMN], s[2 + SHI_COLUMN];
     int m, k;
     c[0] = c[1] = s[0] = s[1] = SHI_SPLAT(0);
