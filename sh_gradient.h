@@ -163,8 +163,9 @@ enum {
 #define SHI_POOL 720                                    /* vectors on the stack: weights of a block of lights ... */
 #define SHI_SUMS 992                                    /* ... running sums ... */
 #define SHI_LIGHTS_AT_ONCE 11                           /* ... and most vectors in a block: 16 would share cache sets */
-#define SHI_POLYNOMIAL_BANDS 10                         /* shi_horner's; the most that can be unrolled */
-#define SHI_ABREAST 4                                   /* columns computed at once beyond; twice as many are kept */
+#define SHI_POLYNOMIAL_BANDS 10                         /* bands whose columns shi_horner has as polynomials */
+#define SHI_ABREAST 4                                   /* beyond, columns that run at once; the ring holds twice as many */
+#define SHI_TOGETHER(with_grad) ((with_grad) ? 1 : 2)   /* ... and columns summed at once: what 16 registers hold */
 #define SHI_PROFILE 9                                   /* numbers per band in shi_profile */
 #define SHI_ROWS(l, m) ((l) * ((l) + 1) / 2 + (m))      /* index into tables by band and m */
 
@@ -1241,7 +1242,7 @@ SHI_NOINLINE int SHI_KN(shi_single_hessian)(int n, const SHI_T v[3], SHI_T *y, S
  *
  * Up to 10 bands each column's polynomial A_m(z) = sum_l c_lm norm q_l^m is brought to E(t) + z O(t), t = z^2 - 1/2, once
  * per call and evaluated by Horner: one multiply-add per coefficient. In t on [-1/2, 1/2] the terms of band l grow by
- * (1 + sqrt 2)^(l/2) at worst (52 at l = 9), in z by its square. Beyond, the columns of the basis run beside the sums. */
+ * (1 + sqrt 2)^(l/2) at worst (52 at l = 9), in z by its square. Beyond, Clenshaw's rule: two per coefficient. */
 
 /* a[parity of l][k][cos, then sin][m]: coefficient of t^k in column m's polynomial times (-1)^m, W orders m at a time */
 SHI_KERNEL int SHI_KN(shi_horner_form_fixed)(int n, const SHI_T *coeffs, SHI_T *a)
@@ -1292,37 +1293,26 @@ SHI_NOINLINE int SHI_KN(shi_horner_form)(int n, const SHI_T *coeffs, SHI_T *a)
 }
 
 #if SHI_LANES == 1
-/* a[N]: per m, per l, cos then sin */
-SHI_INLINE void SHI_FN(shi_forward_form)(int n, const SHI_T *c, SHI_T *a)
+/* What shi_sum_clenshaw reads, in its order: coefficients of monic q_l^m times (-1)^m, cos, then sin, and -beta of band
+ * l + 2; columns that run together end together, beginning with zeros */
+SHI_INLINE void SHI_FN(shi_clenshaw_form)(int n, int together, const SHI_T *c, SHI_T *a)
 {
-    int l, m;
-    for (m = 0; m < n; m++)
-        for (l = m; l < n; l++) {
-            *a++ = c[l * (l + 1) + m];
-            if (m) *a++ = c[l * (l + 1) - m];
+    int first, k, l;
+    for (first = (n - 1) / together * together; first >= 0; a += 3 * together * (n - first), first -= together)
+        for (k = 0; k < together; k++) {
+            const int m = first + k;
+            const SHI_T sign = m & 1 ? -(SHI_T)1 : 1;
+            SHI_T *p = a + 3 * k;
+            if (k) p[0] = p[1] = p[2] = 0, p += 3 * together;
+            for (l = n - 1; l >= m; l--, p += 3 * together) {
+                const SHI_T norm = sign * SHI_FN(shi_norm)[SHI_ROWS(l, m)];
+                p[0] = norm * c[l * (l + 1) + m];
+                p[1] = m ? norm * c[l * (l + 1) - m] : 0;
+                p[2] = -SHI_FN(shi_beta)[SHI_ROWS(l + 2, m)];
+            }
         }
 }
 #endif
-
-/* terms of column m into value and F', from A, B and their derivatives by z; c[m], s[m] = U_m, V_m */
-SHI_KERNEL void SHI_KN(shi_sum_column)(int m, const SHI_V ab[2], const SHI_V dab[2], const SHI_V *c, const SHI_V *s,
-                                       int with_grad, SHI_V *value, SHI_V f[3])
-{
-    if (m == 0) {
-        *value = ab[0];
-        if (with_grad) {
-            f[0] = f[1] = SHI_SPLAT(0);
-            f[2] = dab[0];
-        }
-    } else {
-        *value = SHI_FMA(ab[0], c[m], SHI_FMA(ab[1], s[m], *value));
-        if (with_grad) {
-            f[0] -= SHI_C(m) * SHI_FMA(ab[0], c[m - 1], ab[1] * s[m - 1]);
-            f[1] += SHI_C(m) * SHI_FMA(ab[0], s[m - 1], -(ab[1] * c[m - 1]));
-            f[2] = SHI_FMA(dab[0], c[m], SHI_FMA(dab[1], s[m], f[2]));
-        }
-    }
-}
 
 /* (a, b) += (x + iy) (p, q) */
 SHI_KERNEL void SHI_KN(shi_add_turned)(SHI_V x, SHI_V y, const SHI_V p[2], SHI_V a[2])
@@ -1332,14 +1322,37 @@ SHI_KERNEL void SHI_KN(shi_add_turned)(SHI_V x, SHI_V y, const SHI_V p[2], SHI_V
     a[1] = SHI_FMA(x, p1, SHI_FMA(y, p0, a[1]));
 }
 
-/* Re sum (A_m(z) + i B_m(z)) (x - iy)^m by Horner in m too, and its derivatives by z and by the complex number
- * likewise */
-SHI_KERNEL void SHI_KN(shi_sum_horner)(int n, int with_grad, const SHI_T *a, const SHI_V u[4], SHI_V *value, SHI_V f[3])
+/* sums of the columns m and up, divided by (x - iy)^m: value, derivative by z, derivative by x - iy */
+typedef struct { SHI_V value[2], by_z[2], by_w[2]; } SHI_KN(shi_sum_of);
+
+/* Horner's rule in x - iy: column m's polynomial ab and its derivative join the `above` columns beyond it */
+SHI_KERNEL void SHI_KN(shi_sum_column)(int above, int with_grad, const SHI_V u[4], SHI_V ab[2], SHI_V dab[2],
+                                       SHI_KN(shi_sum_of) *sum)
 {
-    const SHI_V x = u[0], y = -u[1], z = u[2], t = u[3], z2 = z + z;
-    SHI_V s[2], by_z[2], by_w[2];
+    const SHI_V x = u[0], y = -u[1];
+    if (with_grad) {
+        SHI_V next[2];
+        next[0] = sum->value[0];
+        next[1] = sum->value[1];
+        if (above > 1) {
+            SHI_KN(shi_add_turned)(x, y, sum->by_w, next);
+            SHI_KN(shi_add_turned)(x, y, sum->by_z, dab);
+        }
+        sum->by_w[0] = next[0];
+        sum->by_w[1] = next[1];
+        sum->by_z[0] = dab[0];
+        sum->by_z[1] = dab[1];
+    }
+    if (above > 0) SHI_KN(shi_add_turned)(x, y, sum->value, ab);
+    sum->value[0] = ab[0];
+    sum->value[1] = ab[1];
+}
+
+/* Re sum (A_m(z) + i B_m(z)) (x - iy)^m, the columns' polynomials by Horner's rule */
+SHI_KERNEL void SHI_KN(shi_sum_horner)(int n, int with_grad, const SHI_T *a, const SHI_V u[4], SHI_KN(shi_sum_of) *sum)
+{
+    const SHI_V z = u[2], t = u[3], z2 = z + z;
     int m, parity, sign, k;
-    s[0] = s[1] = by_z[0] = by_z[1] = by_w[0] = by_w[1] = SHI_SPLAT(0);
     SHI_UNROLL
     for (m = n - 1; m >= 0; m--) {
         SHI_V ab[2], dab[2];
@@ -1363,55 +1376,38 @@ SHI_KERNEL void SHI_KN(shi_sum_horner)(int n, int with_grad, const SHI_T *a, con
                 }
             }
         }
-        if (with_grad) {
-            SHI_V next[2];
-            next[0] = s[0];
-            next[1] = s[1];
-            if (m < n - 2) {
-                SHI_KN(shi_add_turned)(x, y, by_w, next);
-                SHI_KN(shi_add_turned)(x, y, by_z, dab);
-            }
-            by_w[0] = next[0];
-            by_w[1] = next[1];
-            by_z[0] = dab[0];
-            by_z[1] = dab[1];
-        }
-        if (m < n - 1) SHI_KN(shi_add_turned)(x, y, s, ab);
-        s[0] = ab[0];
-        s[1] = ab[1];
-    }
-    *value = s[0];
-    if (with_grad) {
-        f[0] = by_w[0];
-        f[1] = by_w[1];
-        f[2] = by_z[0];
+        SHI_KN(shi_sum_column)(n - 1 - m, with_grad, u, ab, dab, sum);
     }
 }
 
-SHI_KERNEL void SHI_KN(shi_sum_forward)(int n, int with_grad, const SHI_T *a, const SHI_V u[4], SHI_V *value, SHI_V f[3])
+/* the same by Clenshaw's: b_l = a_l + z b_{l+1} - beta_{l+2} b_{l+2}, and b_m is the column's polynomial */
+SHI_KERNEL void SHI_KN(shi_sum_clenshaw)(int n, int with_grad, const SHI_T *a, const SHI_V u[4], SHI_KN(shi_sum_of) *sum)
 {
-    SHI_V c[SH_MAX_BANDS], s[SH_MAX_BANDS], polar[2], column[2 * SHI_ABREAST][SH_MAX_BANDS];
-    int l, m;
-    SHI_KN(shi_polar_any)(u, polar);
-    SHI_KN(shi_column_any)(0, n, polar, column);
-    for (m = 0; m < n; m++) {
-        const SHI_V *const q0 = column[m % (2 * SHI_ABREAST)], *const q1 = column[(m + 1) % (2 * SHI_ABREAST)];
-        SHI_V ab[2], dab[2];
-        ab[0] = ab[1] = dab[0] = dab[1] = SHI_SPLAT(0);
-        SHI_KN(shi_power)(m, u, c, s);
-        SHI_KN(shi_column_any)(m + 1, n, polar, column);
-        for (l = m; l < n; l++) {
-            const SHI_V d = l > m ? SHI_FN(shi_slope)[SHI_ROWS(l, m)] * q1[l] : SHI_SPLAT(0);
-            ab[0] += *a * q0[l];
-            if (with_grad) dab[0] += *a * d;
-            a++;
-            if (m) {
-                ab[1] += *a * q0[l];
-                if (with_grad) dab[1] += *a * d;
-                a++;
+    const int together = SHI_TOGETHER(with_grad);
+    const SHI_V z = u[2];
+    int first, step, k, sign;
+    for (first = (n - 1) / together * together; first >= 0; first -= together) {
+        SHI_V b[2][2], b1[2][2], d[2][2], d1[2][2];
+        SHI_UNROLL
+        for (k = 0; k < 2; k++)
+            b[k][0] = b[k][1] = b1[k][0] = b1[k][1] = d[k][0] = d[k][1] = d1[k][0] = d1[k][1] = SHI_SPLAT(0);
+        for (step = n - first; step > 0; step--) {
+            SHI_UNROLL
+            for (k = 0; k < together; k++, a += 3) {
+                const SHI_V minus_beta = SHI_SPLAT(a[2]);
+                SHI_UNROLL
+                for (sign = 0; sign < 2; sign++) {
+                    const SHI_V b2 = b1[k][sign], d2 = d1[k][sign];
+                    b1[k][sign] = b[k][sign];
+                    d1[k][sign] = d[k][sign];
+                    if (with_grad) d[k][sign] = SHI_FMA(z, d1[k][sign], SHI_FMA(minus_beta, d2, b1[k][sign]));
+                    b[k][sign] = SHI_FMA(z, b1[k][sign], SHI_FMA(minus_beta, b2, SHI_SPLAT(a[sign])));
+                }
             }
         }
-        SHI_KN(shi_sum_column)(m, ab, dab, c, s, with_grad, value, f);
+        SHI_UNROLL
+        for (k = together - 1; k >= 0; k--)
+            if (first + k < n) SHI_KN(shi_sum_column)(n - 1 - first - k, with_grad, u, b[k], d[k], sum);
     }
 }
 
@@ -1425,18 +1421,19 @@ SHI_KERNEL int SHI_KN(shi_sums)(int n, int horner, int with_grad, const SHI_T *a
     SHI_KN(shi_direct_plain)(dirs, count, &next);
     for (p = 0; p < count; p += SHI_W) {
         const int lanes = count - p < SHI_W ? (int)(count - p) : SHI_W;
-        SHI_V f[3], value = SHI_SPLAT(0);
+        SHI_KN(shi_sum_of) sum;
         now = next;
         if (count - p > SHI_W) SHI_KN(shi_direct_plain)(dirs + 3 * (p + SHI_W), count - p - SHI_W, &next);
-        f[0] = f[1] = f[2] = value;
-        if (horner) SHI_KN(shi_sum_horner)(n, with_grad, a, now.u, &value, f);
-        else SHI_KN(shi_sum_forward)(n, with_grad, a, now.u, &value, f);
+        for (k = 0; k < 2; k++) sum.value[k] = sum.by_z[k] = sum.by_w[k] = SHI_SPLAT(0);
+        if (horner) SHI_KN(shi_sum_horner)(n, with_grad, a, now.u, &sum);
+        else SHI_KN(shi_sum_clenshaw)(n, with_grad, a, now.u, &sum);
         if (now.good && lanes == SHI_W && !with_grad) {
-            SHI_STORE(values + p, value);
+            SHI_STORE(values + p, sum.value[0]);
         } else {
             SHI_T out[4][SHI_W];
-            SHI_STORE(out[0], value);
+            SHI_STORE(out[0], sum.value[0]);
             if (with_grad) {
+                const SHI_V f[3] = { sum.by_w[0], sum.by_w[1], sum.by_z[0] };
                 const SHI_V radial = SHI_FMA(now.u[0], f[0], SHI_FMA(now.u[1], f[1], now.u[2] * f[2]));
                 for (k = 0; k < 3; k++) SHI_STORE(out[k + 1], now.inverse * (f[k] - radial * now.u[k]));
             }
@@ -1454,7 +1451,7 @@ SHI_KERNEL int SHI_KN(shi_sums)(int n, int horner, int with_grad, const SHI_T *a
     return status;
 }
 
-/* a body per band count, forward beyond 10 bands: the second switch argument is the band count */
+/* a body per band count, Clenshaw's beyond 10 bands */
 SHI_KERNEL int SHI_KN(shi_sum_values_fixed)(int n, const SHI_T *a, size_t count, const SHI_T *dirs, SHI_T *values)
 {
     return SHI_KN(shi_sums)(n, 1, 0, a, count, dirs, values, NULL);
@@ -3021,7 +3018,7 @@ SH_API int SHI_FN(sh_eval_angles_n)(int bands, size_t count, const SHI_T *theta,
 SH_API int SHI_FN(sh_reconstruct_n)(int bands, const SHI_T *coeffs, size_t count, const SHI_T *dirs, SHI_T *values,
                                     SHI_T *grads)
 {
-    SHI_T a[SH_MAX_BANDS * SH_MAX_BANDS];
+    SHI_T a[3 * SH_MAX_BANDS * (SH_MAX_BANDS + 2) / 2];
     const size_t item = sizeof *coeffs, size = (size_t)bands * (size_t)bands;
     if (bands < 1 || bands > SH_MAX_BANDS) return SH_ERROR_BANDS;
     if (count == 0) return SH_OK;
@@ -3032,7 +3029,7 @@ SH_API int SHI_FN(sh_reconstruct_n)(int bands, const SHI_T *coeffs, size_t count
         || shi_overlap(coeffs, size * item, values, count * item) || shi_overlap(coeffs, size * item, grads, 3 * count * item)
         || shi_overlap(values, count * item, grads, 3 * count * item)) return SH_ERROR_OVERLAP;
     if (bands <= SH_UNROLLED_BANDS) SHI_MANY(shi_horner_form)(bands, coeffs, a);
-    else SHI_FN(shi_forward_form)(bands, coeffs, a);
+    else SHI_FN(shi_clenshaw_form)(bands, SHI_TOGETHER(grads != NULL), coeffs, a);
     if (grads) return SHI_WIDE(shi_sum_gradient)(bands, a, count, dirs, values, grads);
     return values ? SHI_WIDE(shi_sum_values)(bands, a, count, dirs, values) : SH_OK;
 }
