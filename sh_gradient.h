@@ -26,9 +26,9 @@
  *     sh_status_string                                what a returned status means
  *
  * STATUS
- *     0 SH_OK; < 0 an error, outputs untouched; > 0 a defined degenerate case. In the _n and _blocks forms a bad
- *     direction leaves its own outputs untouched, the others are written, and the call returns the error.
- *     Nothing prints, allocates, sets errno or keeps state.
+ *     0 SH_OK; < 0 an error, outputs untouched; > 0 a defined degenerate case. Where each item has outputs of its own
+ *     (_n, _blocks), a bad direction leaves its own untouched, the others are written, and the call returns the error.
+ *     Nothing prints, allocates or keeps state; errno means nothing (libm may set it).
  *
  * CONFIG (define before the first include)
  *     SH_API                storage of public functions              [static inline]
@@ -36,7 +36,7 @@
  *     SH_WIDE_BYTES         the same or 64: width for sums           [64 with AVX-512F]
  *     SH_UNROLLED_BANDS     1..10: bodies unrolled up to this band count; smaller is less code     [10]
  *     SH_GRADIENT_FILENAME  the name this file has in your tree      ["sh_gradient.h"]
- *     The widths follow the compiler's target; fused multiply-add needs -ffp-contract=fast (the GNU dialects' default).
+ *     The widths follow the compiler's target; fused multiply-add needs -ffp-contract=fast (GCC's default in GNU dialects).
  *
  * DOES NOT
  *     denormal or overflowing geometry: lengths from 1e-18 to 1e18 in float (1e-150 .. 1e150 in double)
@@ -76,14 +76,14 @@ enum {
     SH_OK = 0,
     SH_ERROR_NULL = -1,             /* a required pointer is NULL                                               */
     SH_ERROR_BANDS = -2,            /* bands outside the function's range                                       */
-    SH_ERROR_COUNT = -3,            /* a count, number of channels or planes is not valid                       */
+    SH_ERROR_COUNT = -3,            /* a count or a number of channels is not valid                              */
     SH_ERROR_OVERLAP = -4,          /* input and output overlap                                                 */
     SH_ERROR_DIRECTION = -5,        /* zero direction, or a length out of range                                 */
     SH_ERROR_NOT_FINITE = -6,       /* NaN or infinity in geometry                                              */
-    SH_ERROR_RADIUS = -7,           /* negative radius, or an angle out of range                                */
+    SH_ERROR_RADIUS = -7,           /* negative radius, or a depth or angle out of range                        */
     SH_ERROR_VERTICES = -8,         /* fewer than three vertices                                                */
     SH_ERROR_MATRIX = -9,           /* not a rotation                                                           */
-    SH_ERROR_OPTION = -10,          /* unknown option                                                           */
+    SH_ERROR_OPTION = -10,          /* unknown option or number of planes                                       */
     SH_ERROR_GRID = -11             /* an axis without nodes, or a cell size that is not positive               */
 };
 
@@ -128,6 +128,15 @@ enum {
 #    define SH_WIDE_BYTES SH_VECTOR_BYTES
 #  endif
 #endif
+#if SH_VECTOR_BYTES != 0 && SH_VECTOR_BYTES != 16 && SH_VECTOR_BYTES != 32
+#  error "SH_VECTOR_BYTES is 0, 16 or 32"
+#endif
+#if SH_WIDE_BYTES != SH_VECTOR_BYTES && (SH_WIDE_BYTES != 64 || SH_VECTOR_BYTES == 0 || !defined(__AVX512F__))
+#  error "SH_WIDE_BYTES is SH_VECTOR_BYTES or, with AVX-512F, 64"
+#endif
+#if defined(__x86_64__) && SH_VECTOR_BYTES == 32 && !defined(__AVX__)
+#  error "SH_VECTOR_BYTES 32 needs AVX"
+#endif
 #ifndef SH_UNROLLED_BANDS
 #  define SH_UNROLLED_BANDS 10
 #endif
@@ -162,14 +171,14 @@ enum {
 #define SHI_STAGE 32768                                 /* bytes of stack a plain batch may use */
 #define SHI_POOL 720                                    /* vectors on the stack: weights of a block of lights ... */
 #define SHI_SUMS 992                                    /* ... running sums ... */
-#define SHI_LIGHTS_AT_ONCE 11                           /* ... and most vectors in a block: 16 would share cache sets */
+#define SHI_LIGHTS_AT_ONCE 11                           /* ... and most vectors in a block: at 16 rows would evict each other */
 #define SHI_POLYNOMIAL_BANDS 10                         /* bands whose columns shi_horner has as polynomials */
 #define SHI_ABREAST 4                                   /* beyond, columns that run at once; the ring holds twice as many */
 #define SHI_TOGETHER(with_grad) ((with_grad) ? 1 : 2)   /* ... and columns summed at once: what 16 registers hold */
 #define SHI_PROFILE 9                                   /* numbers per band in shi_profile */
 #define SHI_ROWS(l, m) ((l) * ((l) + 1) / 2 + (m))      /* index into tables by band and m */
 
-#define SHI_LINE 100                                    /* coefficients of that many bands */
+#define SHI_LINE 100                                    /* coefficients of SHI_POLYNOMIAL_BANDS bands */
 #define SHI_HORNER(l, m, k) (SHI_FN(shi_horner)[(k) * SHI_LINE + (l) * ((l) + 1) + (m)])
 /* index into what shi_horner_form fills */
 #define SHI_FORM_AT(parity, k, sign, m) ((((parity) * (SHI_POLYNOMIAL_BANDS / 2) + (k)) * 2 + (sign)) * 16 + (m))
@@ -191,6 +200,7 @@ enum {
 #define SHI_KN(name)    SHI_CAT(SHI_CAT(SHI_FN(name), x), SHI_LANES)
 #define SHI_V           SHI_KN(shi_vector)
 #define SHI_M           SHI_KN(shi_mask)
+#define SHI_D           SHI_KN(shi_doubles)
 #define SHI_SPLAT(s)    SHI_KN(shi_splat)(s)
 #define SHI_LOAD(p)     SHI_KN(shi_load)(p)
 #define SHI_STORE(p, v) SHI_KN(shi_store)(p, v)
@@ -219,7 +229,7 @@ SH_API const char *sh_status_string(int status)
     case SH_ERROR_OVERLAP:    return "input and output overlap";
     case SH_ERROR_DIRECTION:  return "direction is zero or its length out of range";
     case SH_ERROR_NOT_FINITE: return "NaN or infinite input";
-    case SH_ERROR_RADIUS:     return "radius or angle out of range";
+    case SH_ERROR_RADIUS:     return "radius or depth or angle out of range";
     case SH_ERROR_VERTICES:   return "polygon has fewer than three vertices";
     case SH_ERROR_MATRIX:     return "matrix is not a rotation";
     case SH_ERROR_OPTION:     return "unknown option";
@@ -229,6 +239,12 @@ SH_API const char *sh_status_string(int status)
 }
 
 SHI_INLINE int shi_abs(int i) { return i < 0 ? -i : i; }
+
+/* items in that many blocks, or more than any call takes */
+SHI_INLINE size_t shi_block_items(size_t blocks)
+{
+    return blocks > (size_t)-1 / SH_BLOCK ? (size_t)-1 : blocks * SH_BLOCK;
+}
 
 /* 1 if the byte ranges share a byte; a NULL range shares none */
 SHI_INLINE int shi_overlap(const void *a, size_t a_bytes, const void *b, size_t b_bytes)
@@ -319,11 +335,14 @@ static const signed char shi_order_of[SHI_LINE] = {
 #define SHI_BYTES (SHI_BITS / 8)
 #define SHI_LANES 1
 #define SHI_SELECT(m, a, b) ((m) ? (a) : (b))
+#define SHI_CONVERT(v, type) ((type)(v))
 #include SHI_FILE
 #undef  SHI_LANES
 #undef  SHI_BYTES
 #undef  SHI_SELECT
+#undef  SHI_CONVERT
 #define SHI_SELECT(m, a, b) ((SHI_V)(((m) & (SHI_M)(a)) | (~(m) & (SHI_M)(b))))
+#define SHI_CONVERT(v, type) __builtin_convertvector(v, type)
 #if SH_VECTOR_BYTES
 #  define SHI_BYTES SH_VECTOR_BYTES
 #  if SH_VECTOR_BYTES * 8 / SHI_BITS == 2
@@ -351,6 +370,7 @@ static const signed char shi_order_of[SHI_LINE] = {
 #  undef  SHI_BYTES
 #endif
 #undef  SHI_SELECT
+#undef  SHI_CONVERT
 
 /* kernels by lane type: SHI_ONE one lane, SHI_MANY a register, SHI_WIDE the widest register */
 #if SH_VECTOR_BYTES == 0
@@ -398,9 +418,11 @@ static const signed char shi_order_of[SHI_LINE] = {
 #if SHI_LANES == 1
 typedef SHI_T SHI_V;
 typedef SHI_I SHI_M;
+typedef double SHI_D;                                       /* as many lanes of double */
 #else
 __extension__ typedef SHI_T SHI_V __attribute__((__vector_size__(SHI_BYTES)));
 __extension__ typedef SHI_I SHI_M __attribute__((__vector_size__(SHI_BYTES)));
+__extension__ typedef double SHI_D __attribute__((__vector_size__(8 * SHI_LANES)));
 #endif
 
 SHI_KERNEL SHI_V SHI_LOAD(const SHI_T *p)          { SHI_V v; memcpy(&v, p, sizeof v); return v; }
@@ -780,15 +802,10 @@ SHI_KERNEL void SHI_KN(shi_powers)(int n, const SHI_V u[4], SHI_V *c, SHI_V *s)
  * Float computes in double; double carries the rounding errors along (Knuth's sum). */
 SHI_KERNEL SHI_V SHI_KN(shi_gap)(const SHI_V y[3], const SHI_T x[3], SHI_V r)
 {
-#if SHI_BITS == 32 && SHI_LANES == 1
-    const double a = (double)y[0] - (double)x[0], b = (double)y[1] - (double)x[1], c = (double)y[2] - (double)x[2];
-    return (float)(a * a + b * b + c * c - (double)r * (double)r);
-#elif SHI_BITS == 32
-    __extension__ typedef double wide __attribute__((__vector_size__(2 * SHI_BYTES)));
-    const wide a = __builtin_convertvector(y[0], wide) - (double)x[0];
-    const wide b = __builtin_convertvector(y[1], wide) - (double)x[1];
-    const wide c = __builtin_convertvector(y[2], wide) - (double)x[2], d = __builtin_convertvector(r, wide);
-    return __builtin_convertvector(a * a + b * b + c * c - d * d, SHI_V);
+#if SHI_BITS == 32
+    const SHI_D a = SHI_CONVERT(y[0], SHI_D) - (double)x[0], b = SHI_CONVERT(y[1], SHI_D) - (double)x[1];
+    const SHI_D c = SHI_CONVERT(y[2], SHI_D) - (double)x[2], d = SHI_CONVERT(r, SHI_D);
+    return SHI_CONVERT(a * a + b * b + c * c - d * d, SHI_V);
 #else
     SHI_V sum = SHI_SPLAT(0), low = SHI_SPLAT(0);
     int k;
@@ -821,7 +838,7 @@ SHI_KERNEL int SHI_KN(shi_in_range)(SHI_V v, SHI_T lo, SHI_T hi)
 {
     return !SHI_ANY(SHI_KN(shi_out_of)(v, lo, hi));
 }
-/* alone: the lanes hold one and the same */
+/* alone: all lanes hold the same, so one look is enough */
 SHI_KERNEL int SHI_KN(shi_all_in_range)(SHI_V v, int alone, SHI_T lo, SHI_T hi)
 {
     return alone ? SHI_ONE(shi_in_range)(SHI_KN(shi_first)(v), lo, hi) : SHI_KN(shi_in_range)(v, lo, hi);
@@ -836,13 +853,13 @@ SHI_KERNEL SHI_V SHI_KN(shi_excess)(const SHI_V v[3], SHI_V *r2)
 
 /* u = v/|v| = v + s v of a v with a small excess e, and u[3] = z^2 - 1/2 = 1/2 - (x^2 + y^2), exact to eps/4 at the poles
  * and the equator: what rounding does to x^2 + y^2 is in e as well, and cancels. 1 + s = 1/sqrt(1 + e) is 1 - e/2 where
- * near holds (everywhere if NULL), one term more elsewhere. The length is right to eps/4. Returns s */
-SHI_KERNEL SHI_V SHI_KN(shi_polish)(const SHI_V v[3], SHI_V e, SHI_V r2, const SHI_M *near, SHI_V u[4])
+ * `unit` holds (everywhere if NULL), one term more elsewhere. The length is right to eps/4. Returns s */
+SHI_KERNEL SHI_V SHI_KN(shi_polish)(const SHI_V v[3], SHI_V e, SHI_V r2, const SHI_M *unit, SHI_V u[4])
 {
     SHI_V s = SHI_C(-0.5) * e, shrunk = e;
-    if (near) {
-        s = SHI_SELECT(*near, s, e * SHI_FMA(SHI_SPLAT(SHI_C(0.375)), e, SHI_SPLAT(SHI_C(-0.5))));
-        shrunk = SHI_SELECT(*near, e, SHI_FMA(-e, e, e));
+    if (unit) {
+        s = SHI_SELECT(*unit, s, e * SHI_FMA(SHI_SPLAT(SHI_C(0.375)), e, SHI_SPLAT(SHI_C(-0.5))));
+        shrunk = SHI_SELECT(*unit, e, SHI_FMA(-e, e, e));
     }
     u[0] = SHI_FMA(v[0], s, v[0]);              /* no loop: an array that a loop walks stays in memory */
     u[1] = SHI_FMA(v[1], s, v[1]);
@@ -851,21 +868,21 @@ SHI_KERNEL SHI_V SHI_KN(shi_polish)(const SHI_V v[3], SHI_V e, SHI_V r2, const S
     return s;
 }
 
-/* unit vectors and 1/length of vectors of any length; 0 if one is out of range. Nearly unit ones, the usual case,
- * have their own way, and get its bits in whatever company */
+/* unit vectors and 1/length of vectors of any length; 0 if one is out of range. Nearly unit ones, the usual case, take a
+ * shorter path; what a lane gets does not depend on the path that its neighbours need */
 SHI_KERNEL int SHI_KN(shi_unit)(const SHI_V v[3], int alone, SHI_V u[4], SHI_V *inverse)
 {
     SHI_V r2;
     const SHI_V e = SHI_KN(shi_excess)(v, &r2), off = SHI_ABS(e);
     if (SHI_RARELY(!SHI_KN(shi_all_in_range)(off, alone, 0, SHI_NEAR))) {
-        const SHI_M near = alone ? SHI_BITS_OF(SHI_SPLAT(0)) : (SHI_M)(off <= SHI_SPLAT(SHI_NEAR));
-        const SHI_V length2 = SHI_FMA(v[2], v[2], r2), scale = SHI_SELECT(near, SHI_SPLAT(1), SHI_RSQRT_ROUGHLY(length2));
+        const SHI_M unit = alone ? SHI_BITS_OF(SHI_SPLAT(0)) : (SHI_M)(off <= SHI_SPLAT(SHI_NEAR));
+        const SHI_V length2 = SHI_FMA(v[2], v[2], r2), scale = SHI_SELECT(unit, SHI_SPLAT(1), SHI_RSQRT_ROUGHLY(length2));
         SHI_V w[3], left;
         w[0] = v[0] * scale;
         w[1] = v[1] * scale;
         w[2] = v[2] * scale;
         left = SHI_KN(shi_excess)(w, &r2);
-        *inverse = SHI_FMA(scale, SHI_KN(shi_polish)(w, left, r2, &near, u), scale);
+        *inverse = SHI_FMA(scale, SHI_KN(shi_polish)(w, left, r2, &unit, u), scale);
         return SHI_KN(shi_all_in_range)(length2, alone, SHI_MIN2, SHI_MAX2);
     }
     *inverse = SHI_C(1) + SHI_KN(shi_polish)(v, e, r2, NULL, u);
@@ -1169,13 +1186,14 @@ SHI_NOINLINE int SHI_KN(shi_angles)(int n, size_t count, const SHI_T *theta, con
         const int lanes = count - p < SHI_W ? (int)(count - p) : SHI_W;
         SHI_T a[4][SHI_W];
         int good = 1;
-        for (i = 0; i < SHI_W; i++) {
+        for (i = 0; i < SHI_W && good; i++) {
             const size_t at = p + (size_t)(i < lanes ? i : lanes - 1);
+            good = SHI_FN(shi_finite)(theta + at, 1) && SHI_FN(shi_finite)(phi + at, 1);
+            if (!good) break;
             a[0][i] = SHI_LIBM(cos)(theta[at]);
             a[1][i] = SHI_LIBM(sin)(theta[at]);
             a[2][i] = SHI_LIBM(cos)(phi[at]);
             a[3][i] = SHI_LIBM(sin)(phi[at]);
-            if (!SHI_FN(shi_finite)(theta + at, 1) || !SHI_FN(shi_finite)(phi + at, 1)) good = 0;
         }
         if (good) {
             SHI_KN(shi_angles_any)(n, SHI_LOAD(a[0]), SHI_LOAD(a[1]), SHI_LOAD(a[2]), SHI_LOAD(a[3]), stage, tb, pb, SHI_W);
@@ -1196,7 +1214,7 @@ SHI_NOINLINE int SHI_KN(shi_angles)(int n, size_t count, const SHI_T *theta, con
     return status;
 }
 
-/* the looped bodies, for one; apart, or the short bodies would set up their stack too */
+/* one direction by the looped bodies: a function of its own, so that the unrolled ones do not pay for its stack frame */
 SHI_NOINLINE int SHI_KN(shi_single_any)(int n, int planes, const SHI_T v[3], SHI_T *y, int ys, SHI_T *g, int gs,
                                         SHI_T *h, int hs)
 {
@@ -1240,8 +1258,8 @@ SHI_NOINLINE int SHI_KN(shi_single_hessian)(int n, const SHI_T v[3], SHI_T *y, S
 
 /* ---- sum c_i Y_i at W directions, the basis never stored ----
  *
- * Up to 10 bands each column's polynomial A_m(z) = sum_l c_lm norm q_l^m is brought to E(t) + z O(t), t = z^2 - 1/2, once
- * per call and evaluated by Horner: one multiply-add per coefficient. In t on [-1/2, 1/2] the terms of band l grow by
+ * Up to SH_UNROLLED_BANDS each column's polynomial A_m(z) = sum_l c_lm norm q_l^m is brought to E(t) + z O(t), t = z^2 - 1/2,
+ * once per call and evaluated by Horner: one multiply-add per coefficient. In t on [-1/2, 1/2] the terms of band l grow by
  * (1 + sqrt 2)^(l/2) at worst (52 at l = 9), in z by its square. Beyond, Clenshaw's rule: two per coefficient. */
 
 /* a[parity of l][k][cos, then sin][m]: coefficient of t^k in column m's polynomial times (-1)^m, W orders m at a time */
@@ -1451,7 +1469,7 @@ SHI_KERNEL int SHI_KN(shi_sums)(int n, int horner, int with_grad, const SHI_T *a
     return status;
 }
 
-/* a body per band count, Clenshaw's beyond 10 bands */
+/* a body per band count up to SH_UNROLLED_BANDS by Horner's rule, beyond by Clenshaw's */
 SHI_KERNEL int SHI_KN(shi_sum_values_fixed)(int n, const SHI_T *a, size_t count, const SHI_T *dirs, SHI_T *values)
 {
     return SHI_KN(shi_sums)(n, 1, 0, a, count, dirs, values, NULL);
@@ -1482,9 +1500,10 @@ SHI_NOINLINE int SHI_KN(shi_sum_gradient)(int n, const SHI_T *a, size_t count, c
 /* ---- sums of spherical lights at a point ---- */
 
 #define SHI_ALL_KINDS 6
-/* Moments of a band j: sum over lights of weight(l) Y_jm, l the band of the light's own expansion (MATH: M22 Eq. 12 by
- * the recurrence of x_k Y_lm):  kind 0 f_l, l = j;  1 w-, l = j+1;  2 w+, l = j-1;  3 w--, l = j+2;  4 lap, l = j;
- * 5 w++, l = j-2.  w- = f' + (l+1) f/rho, w+ = f' - l f/rho, and the same once more for the second derivatives. */
+/* Moments of a band j: sums over lights of weight(l) Y_jm. A light at distance rho has the coefficients f_l(rho) Y_lm, and
+ * by the recurrences of x_k Y_lm its gradient (M22 Eq. 12) is a combination of w- Y_{l-1} and w+ Y_{l+1}, w- = f' + (l+1)
+ * f/rho, w+ = f' - l f/rho. Doing so twice gives w-- Y_{l-2}, lap Y_l and w++ Y_{l+2}, lap the radial Laplacian.
+ * Kind 0 is f_l, l = j;  1 w-, l = j+1;  2 w+, l = j-1;  3 w--, l = j+2;  4 lap, l = j;  5 w++, l = j-2. */
 
 /* W lights as seen from a point. Geometry, powers and weights are three loops over a block of nb such: in each, the
  * long chains of one vector overlap with its neighbours'. */
@@ -1492,7 +1511,7 @@ typedef struct {
     SHI_V x, y;             /* -(center - point)/d, or the other way for z < 0: powers of -x - iy carry the sign */
     SHI_M side;             /* z's sign bit */
     SHI_V inverse;          /* 1/d */
-    SHI_V alpha, kappa;     /* cos of the half-angle; 1 - cos, 2 inside: band 0 has the whole sky, the others s2 = 0 */
+    SHI_V alpha, kappa;     /* cos of the half-angle; 1 - cos, or 2 inside: the whole sky in band 0, s2 = 0 for the others */
     SHI_V s2, q;            /* (r/d)^2; s2/(alpha d) */
 } SHI_KN(shi_light);
 
@@ -1513,7 +1532,7 @@ SHI_KERNEL SHI_V SHI_KN(shi_light_geometry)(const SHI_T point[3], const SHI_V ce
     const SHI_V zero = SHI_SPLAT(0), one = SHI_SPLAT(1);
     const SHI_V dx = point[0] - center[0], dy = point[1] - center[1], dz = center[2] - point[2];
     const SHI_V r2 = SHI_FMA(dx, dx, SHI_FMA(dy, dy, dz * dz)), rough = SHI_FMA(-radius, radius, r2);
-    const SHI_M signs = SHI_BITS_OF(SHI_FMA(SHI_SPLAT(SHI_C(-0.5)), r2, rough)) | SHI_BITS_OF(radius);
+    const SHI_M signs = SHI_KN(shi_sign)(SHI_FMA(SHI_SPLAT(SHI_C(-0.5)), r2, rough)) | SHI_KN(shi_sign)(radius);
     const int plain = !SHI_ANY(signs | SHI_KN(shi_out_of)(rough, SHI_MIN2, SHI_MAX2));
     SHI_V gap = rough, length = r2, hole = gap, s, i, ig, x, y, z, xy, e, alpha;
     SHI_M inside = SHI_BITS_OF(zero), none = inside;
@@ -1580,7 +1599,7 @@ SHI_KERNEL void SHI_KN(shi_light_weights)(int n, int kinds, const SHI_KN(shi_lig
     for (l = 0; l < n; l++) {
         const SHI_T *const b = SHI_FN(shi_profile) + SHI_PROFILE * l;
         SHI_V f = tau * o->kappa;
-        if (l > 0) {                                    /* P_l' and P_l by differences, as in shi_cap; step: l times one */
+        if (l > 0) {                                    /* P_l' and P_l by differences, as in shi_cap; step = l (P_l - P_{l-1}) */
             slope = SHI_FMA(-o->kappa, slope, SHI_FMA(SHI_SPLAT(b[0]), p, slope));
             step = SHI_FMA(b[2] * o->kappa, p, step);
             p = SHI_FMA(SHI_SPLAT(b[3]), step, p);
@@ -1909,7 +1928,7 @@ SHI_KERNEL void SHI_KN(shi_run_row)(int l, int m, int running, SHI_KN(shi_run) *
     o->flip[0] = o->flip[1];
     o->flip[1] = even;
 }
-/* row l of the `started` columns to column[j][l] or, if there is none, times U and V to y */
+/* row l of the `started` columns to column[j][l], or for values times U and V to y */
 SHI_KERNEL void SHI_KN(shi_run_put)(int l, int m, int started, int values, const SHI_V *q, SHI_V (*column)[SHI_COLUMN],
                                     const SHI_V *c, const SHI_V *s, SHI_T *y, int stride)
 {
@@ -1993,8 +2012,8 @@ SHI_KERNEL void SHI_BN(shi_values)(int n, int single, const SHI_V u[4], SHI_T *y
 #endif
 }
 
-/* y[N], g[3][N] = dY(v/|v|)/dv at u = v/|v|, i = 1/|v|; a stride of 0 discards an output into one place. Meanwhile
- * normalises the register of directions at `ahead`: once u has been read, or gcc spills */
+/* y[N], g[3][N] = dY(v/|v|)/dv at u = v/|v|, i = 1/|v|; with a stride of 0 all stores of an output go to one place, unread.
+ * Normalises the register of directions at `ahead` too, after the last read of u: earlier, gcc spills */
 SHI_KERNEL void SHI_BN(shi_gradient)(int n, int single, const SHI_V u[4], SHI_V i, SHI_T *y, int y_stride, SHI_T *g,
                                      int stride, const SHI_T *ahead, SHI_KN(shi_direction) *next)
 {
@@ -2345,7 +2364,7 @@ SHI_KERNEL int SHI_BN(shi_blocks)(int n, int planes, size_t blocks, const SHI_T 
 SHI_KERNEL void SHI_BN(shi_angles)(int n, SHI_V ct, SHI_V st, SHI_V cp, SHI_V sp, SHI_T *y, SHI_T *dt, SHI_T *dp, int stride)
 {
     const SHI_V x = -(st * cp), v = -(st * sp);
-    const SHI_V near = (st * st) / (SHI_C(1) + SHI_ABS(ct));         /* 1 - |cos|: values as in shi_column beyond 10 bands */
+    const SHI_V fall = (st * st) / (SHI_C(1) + SHI_ABS(ct));    /* 1 - |cos|: values as in shi_column beyond 10 bands */
     const SHI_V side = SHI_SELECT((SHI_M)(ct < SHI_SPLAT(0)), SHI_SPLAT(-1), SHI_SPLAT(1));
     SHI_V c = SHI_SPLAT(1), s = SHI_SPLAT(0), c1 = c, s1 = s;       /* U_m, V_m, and the two over sin(theta) */
     int l, m;
@@ -2371,7 +2390,7 @@ SHI_KERNEL void SHI_BN(shi_angles)(int n, SHI_V ct, SHI_V st, SHI_V cp, SHI_V sp
                 q1 = next;
                 t0 = t1;
                 t1 = slope;
-                d = SHI_FMA(step * near, p, (SHI_C(-1) - step) * d);
+                d = SHI_FMA(step * fall, p, (SHI_C(-1) - step) * d);
                 p = p + d;
             }
             q = SHI_FN(shi_pole)[SHI_ROWS(l, m)] * ((l - m) & 1 ? side * p : p);
@@ -2475,9 +2494,9 @@ SHI_KERNEL SHI_V SHI_KN(shi_line_next)(int n, int k, const SHI_V *q)
             const int l = shi_band_of[at + i], m = shi_abs(shi_order_of[at + i]);
             const int up = l * (l + 1) + m + 1, down = l * (l + 1) - m - 1;
             const int is_here = (up >= at && up < at + SHI_W) || (down >= at && down < at + SHI_W);
-            const int near = up >= first && up < first + SHI_W ? up - first : down - first;
-            const int has = exists && m < l && (r == k || !is_here) && near >= 0 && near < SHI_W;
-            lane[i] = has ? SHI_W + near : i;
+            const int source = up >= first && up < first + SHI_W ? up - first : down - first;
+            const int has = exists && m < l && (r == k || !is_here) && source >= 0 && source < SHI_W;
+            lane[i] = has ? SHI_W + source : i;
             any |= has;
         }
         memcpy(&from, lane, sizeof from);
@@ -2800,7 +2819,7 @@ SHI_INLINE void SHI_FN(shi_derive)(int n, const SHI_T *lower, const SHI_T *upper
     }
 }
 
-/* one point; out[channels][planes][N], `work` holds 6 (n+2)^2 moments per channel and 9 (n+1)^2 derivatives. Returns
+/* one point; out[channels][planes][N], `work` holds 6 (n+2)^2 moments per channel and 7 (n+1)^2 derivatives. Returns
  * shi_moments' bits */
 SHI_INLINE int SHI_FN(shi_spheres_at)(int n, int planes, int channels, const SHI_T *point, size_t count, const SHI_T *spheres,
                                       const SHI_T *radiance, SHI_T *work, SHI_T *out)
@@ -2865,19 +2884,19 @@ SHI_INLINE int SHI_FN(shi_spheres_with)(int n, int planes, int channels, int mos
     return status;
 }
 
-/* stack by need: a job system's fibers are small */
+/* the stack follows the band count: a job system's fibers are small */
 SHI_NOINLINE int SHI_FN(shi_spheres_10)(int n, int planes, int channels, size_t points, const SHI_T *point,
                                         const SHI_FN(sh_grid) *grid, size_t first, size_t count, const SHI_T *spheres,
                                         const SHI_T *radiance, SHI_T *out)
 {
-    SHI_T work[3 * 6 * 12 * 12 + 9 * 11 * 11];
+    SHI_T work[3 * 6 * 12 * 12 + 7 * 11 * 11];
     return SHI_FN(shi_spheres_with)(n, planes, channels, 3, points, point, grid, first, count, spheres, radiance, work, out);
 }
 SHI_NOINLINE int SHI_FN(shi_spheres_32)(int n, int planes, int channels, size_t points, const SHI_T *point,
                                         const SHI_FN(sh_grid) *grid, size_t first, size_t count, const SHI_T *spheres,
                                         const SHI_T *radiance, SHI_T *out)
 {
-    SHI_T work[6 * 34 * 34 + 9 * 33 * 33];
+    SHI_T work[6 * 34 * 34 + 7 * 33 * 33];
     return SHI_FN(shi_spheres_with)(n, planes, channels, 1, points, point, grid, first, count, spheres, radiance, work, out);
 }
 SHI_INLINE int SHI_FN(shi_spheres)(int n, int planes, int channels, size_t points, const SHI_T *point,
@@ -2906,7 +2925,7 @@ SH_API int SHI_FN(sh_eval)(int bands, const SHI_T dir[3], SHI_T *y)
 /* Basis values of many directions.
  *   dirs  [count][3]
  *   y     [count][N]
- * Directions with | |v|^2 - 1 | < 1e-4 (double 4e-9) are normalised by a Newton step, the others by a root first. */
+ * Directions that are nearly unit, | |v|^2 - 1 | < 1e-4 (double 4e-9), take a Newton step, the others are first scaled. */
 SH_API int SHI_FN(sh_eval_n)(int bands, size_t count, const SHI_T *dirs, SHI_T *y)
 {
     const int status = SHI_FN(shi_check_basis)(bands, count, dirs, y, y, NULL, NULL);
@@ -2918,7 +2937,7 @@ SH_API int SHI_FN(sh_eval_n)(int bands, size_t count, const SHI_T *dirs, SHI_T *
  *   y     [blocks][N][8] */
 SH_API int SHI_FN(sh_eval_blocks)(int bands, size_t blocks, const SHI_T *dirs, SHI_T *y)
 {
-    const int status = SHI_FN(shi_check_basis)(bands, blocks * SH_BLOCK, dirs, y, y, NULL, NULL);
+    const int status = SHI_FN(shi_check_basis)(bands, shi_block_items(blocks), dirs, y, y, NULL, NULL);
     return status || !blocks ? status : SHI_MANY(shi_blocks_values)(bands, blocks, dirs, y);
 }
 
@@ -2947,7 +2966,7 @@ SH_API int SHI_FN(sh_eval_grad_n)(int bands, size_t count, const SHI_T *v, SHI_T
 /* Blocked: v[blocks][3][8], y[blocks][N][8] or NULL, grad[blocks][3][N][8] or NULL. */
 SH_API int SHI_FN(sh_eval_grad_blocks)(int bands, size_t blocks, const SHI_T *v, SHI_T *y, SHI_T *grad)
 {
-    const int status = SHI_FN(shi_check_basis)(bands, blocks * SH_BLOCK, v, v, y, grad, NULL);
+    const int status = SHI_FN(shi_check_basis)(bands, shi_block_items(blocks), v, v, y, grad, NULL);
     return status || !blocks ? status : SHI_MANY(shi_blocks_gradient)(bands, blocks, v, y, grad);
 }
 
@@ -2973,14 +2992,16 @@ SH_API int SHI_FN(sh_eval_hessian_n)(int bands, size_t count, const SHI_T *v, SH
 /* Blocked: v[blocks][3][8], y[blocks][N][8], grad[blocks][3][N][8], hess[blocks][6][N][8]; any output may be NULL. */
 SH_API int SHI_FN(sh_eval_hessian_blocks)(int bands, size_t blocks, const SHI_T *v, SHI_T *y, SHI_T *grad, SHI_T *hess)
 {
-    const int status = SHI_FN(shi_check_basis)(bands, blocks * SH_BLOCK, v, v, y, grad, hess);
+    const int status = SHI_FN(shi_check_basis)(bands, shi_block_items(blocks), v, v, y, grad, hess);
     return status || !blocks ? status : SHI_MANY(shi_blocks_hessian)(bands, blocks, v, y, grad, hess);
 }
 
 /* Values and derivatives by the polar angle theta and the azimuth phi, in radians; outputs [N], each may be NULL.
- * Any theta. At a pole dtheta is the derivative along the meridian phi, and dphi is 0: moving phi there moves nothing.
+ *   bands       1..32
+ *   theta, phi  finite (else SH_ERROR_NOT_FINITE), any theta
+ * At a pole dtheta is the derivative along the meridian phi, and dphi is 0: moving phi there moves nothing.
  * Error:  y, dtheta as sh_eval_grad at |v| = 1, dphi m times the bound of y; angles are taken as exact.
- * Source: M22 Eq. 17-22 and 30-33 as corrected in docs/architecture.md, sin^{m-1}(theta) kept as a factor. */
+ * Source: M22 Eq. 17-22 and 30-33, misprints corrected, sin^{m-1}(theta) kept as a factor. */
 SH_API int SHI_FN(sh_eval_angles)(int bands, SHI_T theta, SHI_T phi, SHI_T *y, SHI_T *dtheta, SHI_T *dphi)
 {
     const size_t out = (size_t)bands * (size_t)bands * sizeof *y;
@@ -3010,11 +3031,13 @@ SH_API int SHI_FN(sh_eval_angles_n)(int bands, size_t count, const SHI_T *theta,
 /* ---- sums over directions ---- */
 
 /* value = sum c_i Y_i(d/|d|) at many directions, and its gradient by d; the basis is never stored.
+ *   bands   1..32
  *   coeffs  [N]
- *   dirs    [count][3]
+ *   dirs    [count][3], lengths as in sh_eval_grad
  *   values  [count] or NULL
  *   grads   [count][3] or NULL
- * Error:  |value - exact| <= (8 + n^2/4) eps sqrt(sum_l M_l^2) |coeffs|_2 over n bands, gradients n times that / |d|. */
+ * Error:  |value - exact| <= (8 + n^2/4) eps sqrt(sum_l M_l^2) |coeffs|_2 over n bands, gradients n times that / |d|.
+ * Source: M22 Eq. 8 with the sums over l and over m by Horner's rule, beyond 10 bands by Clenshaw's (1955). */
 SH_API int SHI_FN(sh_reconstruct_n)(int bands, const SHI_T *coeffs, size_t count, const SHI_T *dirs, SHI_T *values,
                                     SHI_T *grads)
 {
@@ -3034,14 +3057,15 @@ SH_API int SHI_FN(sh_reconstruct_n)(int bands, const SHI_T *coeffs, size_t count
     return values ? SHI_WIDE(shi_sum_values)(bands, a, count, dirs, values) : SH_OK;
 }
 
-/* One direction: value, and grad[3] or NULL. For many directions sh_reconstruct_n shares the preparation of coeffs. */
+/* One direction: value and grad[3], each may be NULL. For many directions sh_reconstruct_n shares the preparation of coeffs. */
 SH_API int SHI_FN(sh_reconstruct)(int bands, const SHI_T *coeffs, const SHI_T dir[3], SHI_T *value, SHI_T *grad)
 {
     return SHI_FN(sh_reconstruct_n)(bands, coeffs, 1, dir, value, grad);
 }
 
 /* coeffs = sum_k weights[k] Y(dirs[k]): the projection of samples, weight = value x solid angle.
- *   dirs     [count][3], any length
+ *   bands    1..32
+ *   dirs     [count][3], lengths as in sh_eval; a bad one is an error of the call
  *   weights  [count]
  *   coeffs   [N], overwritten; count 0 gives zeros
  * Error:  |coeffs - exact| <= (8 + l(l+1)/4 + count/64) eps M_l sum |weights|. */
@@ -3062,10 +3086,11 @@ SH_API int SHI_FN(sh_project_n)(int bands, size_t count, const SHI_T *dirs, cons
 
 /* Coefficients of a light field seen from one point, and their gradient by that point, from samples with depth and normal
  * (the texels of a cube map rendered there).
- *   dirs          [count][3], unit
- *   solid_angles  [count]
- *   radiance      [count]
- *   depth         [count], distance along the direction, > 0; infinity means no parallax
+ *   bands         1..32
+ *   dirs          [count][3], unit; a bad one is an error of the call
+ *   solid_angles  [count], steradians
+ *   radiance      [count]; NaN goes through
+ *   depth         [count], distance along the direction, > 0 (else SH_ERROR_RADIUS); infinity means no parallax
  *   normals       [count][3] of the surface seen, either orientation; zero: the orientation term is left out
  *   coeffs        [N]
  *   grad          [3][N] or NULL
@@ -3102,18 +3127,19 @@ SH_API int SHI_FN(sh_light_field)(int bands, size_t count, const SHI_T *dirs, co
 /* Zonal harmonics of a cap of unit radiance about +z, and their derivative by its half-angle.
  *   sin_half_angle  0..1; a spherical light of radius r at distance d has r/d
  *   zh, dzh         [bands], zh_l = L_l0; each may be NULL
- * Error:  |zh - exact| <= 24 eps M_l Omega, |dzh - exact| <= 32 eps M_l dOmega; x 1/(1 - sin^2) above 0.995.
+ * Error:  |zh - exact| <= 24 eps M_l Omega, |dzh - exact| <= 32 eps M_l dOmega, Omega = 2 pi (1 - cos) the solid angle and
+ *         dOmega = 2 pi sin its derivative; x 1/(1 - sin^2) above 0.995.
  * Source: M22 Eq. 9, 14 without their cancellation: zh_l = M_l 2 pi s^2 P_l'(alpha) / (l(l+1)). */
 SH_API int SHI_FN(sh_zonal_cap)(int bands, SHI_T sin_half_angle, SHI_T *zh, SHI_T *dzh)
 {
     SHI_T f[SH_MAX_BANDS], f1[SH_MAX_BANDS], f2[SH_MAX_BANDS];
-    const SHI_T s = sin_half_angle, cosine = SHI_LIBM(sqrt)((SHI_C(1) - s) * (SHI_C(1) + s));
+    const SHI_T s = sin_half_angle;
     int l;
     if (bands < 1 || bands > SH_MAX_BANDS) return SH_ERROR_BANDS;
     if (shi_overlap(zh, (size_t)bands * sizeof *zh, dzh, (size_t)bands * sizeof *dzh)) return SH_ERROR_OVERLAP;
     if (!SHI_FN(shi_finite)(&s, 1)) return SH_ERROR_NOT_FINITE;
     if (!(s >= 0 && s <= 1)) return SH_ERROR_RADIUS;
-    SHI_FN(shi_cap)(bands, s, cosine, 0, f, f1, f2);
+    SHI_FN(shi_cap)(bands, s, SHI_LIBM(sqrt)((SHI_C(1) - s) * (SHI_C(1) + s)), 0, f, f1, f2);
     for (l = 0; l < bands; l++) {
         if (zh) zh[l] = SHI_FN(shi_zonal)[l] * f[l];
         if (dzh) dzh[l] = SHI_FN(shi_zonal)[l] * f1[l];
@@ -3123,7 +3149,9 @@ SH_API int SHI_FN(sh_zonal_cap)(int bands, SHI_T sin_half_angle, SHI_T *zh, SHI_
 
 /* Coefficients of a zonal function about any axis: coeffs_lm = sqrt(4 pi/(2l+1)) zh_l Y_lm(dir).
  *   zh      [bands]
+ *   dir     as in sh_eval
  *   coeffs  [N]
+ * Error:  that of sh_eval times |zh_l|/M_l.
  * Source: M22 Eq. 11. */
 SH_API int SHI_FN(sh_zonal_rotate)(int bands, const SHI_T *zh, const SHI_T dir[3], SHI_T *coeffs)
 {
@@ -3174,7 +3202,7 @@ SH_API int SHI_FN(sh_zonal_light)(int bands, const SHI_T to_light[3], const SHI_
  * A point on or inside the sphere sees light everywhere: L_00 = 2 sqrt(pi), the rest 0, status SH_INSIDE.
  * Error:  |coeffs - exact| <= 24 eps M_l Omega, |grad - exact| <= 32 eps (M_l |grad Omega| + G_l Omega/d),
  *         |hess - exact| <= 64 eps (M_l (|Omega''| + |Omega'|/d) + 2 G_l |Omega'|/d) + (16 + l(l+1)/2) l(l+1) eps M_l Omega/d^2;
- *         all x 1/(1 - (r/d)^2) above r/d = 0.995.
+ *         all x 1/(1 - (r/d)^2) above r/d = 0.995. Omega(d) = 2 pi (1 - sqrt(1 - (r/d)^2)), ' = d/dd.
  * Source: M22 Eq. 9-16 in a form without cancellation, for every r/d. */
 SH_API int SHI_FN(sh_sphere_hessian)(int bands, const SHI_T point[3], const SHI_T center[3], SHI_T radius,
                                      SHI_T *coeffs, SHI_T *grad, SHI_T *hess)
@@ -3192,11 +3220,12 @@ SH_API int SHI_FN(sh_sphere)(int bands, const SHI_T point[3], const SHI_T center
 }
 
 /* Sums of many spherical lights at many points.
+ *   bands     1..32
  *   planes    SH_VALUES, SH_GRADIENT or SH_HESSIAN
  *   channels  >= 1
  *   point     [points][3]
- *   spheres   [4][count]: x, y, z, radius
- *   radiance  [channels][count], or NULL: 1
+ *   spheres   [4][count]: x, y, z, radius >= 0; count 0 gives zeros
+ *   radiance  [channels][count] of either sign, or NULL: 1
  *   out       [points][channels][planes][N]; for one channel and SH_GRADIENT: values, d/dx, d/dy, d/dz
  * Status SH_INSIDE when a point is on or inside a light, which then adds 2 sqrt(pi) to L_00 and nothing to derivatives.
  * A light that is not valid is an error before anything is written; a point that is not finite is an error of its own outputs.
@@ -3219,7 +3248,7 @@ SH_API int SHI_FN(sh_spheres)(int bands, int planes, int channels, const SHI_T p
 }
 
 /* Nodes first .. first+nodes-1 of a grid (x fastest): out[nodes][channels][planes][N] holds those nodes only, so a
- * job system gives each job a range. */
+ * job system gives each job a range. A range beyond the grid is SH_ERROR_COUNT; the rest as sh_spheres_n. */
 SH_API int SHI_FN(sh_spheres_grid)(int bands, int planes, int channels, const SHI_FN(sh_grid) *grid, size_t first,
                                    size_t nodes, size_t count, const SHI_T *spheres, const SHI_T *radiance, SHI_T *out)
 {

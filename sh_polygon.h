@@ -4142,18 +4142,9 @@ SHI_KERNEL void SHI_KN(shi_polygon_turn)(SHI_V a, SHI_V *c, SHI_V *s)
 /* (v - x) . n, rounded once: in double for float lanes */
 SHI_KERNEL SHI_V SHI_KN(shi_polygon_height)(const SHI_V x[3], const SHI_T v[3], const double n[3])
 {
-#if SHI_BITS == 32 && SHI_LANES > 1
-    __extension__ typedef double wide __attribute__((__vector_size__(2 * SHI_BYTES)));
-    const wide h = ((double)v[0] - __builtin_convertvector(x[0], wide)) * n[0]
-                 + ((double)v[1] - __builtin_convertvector(x[1], wide)) * n[1]
-                 + ((double)v[2] - __builtin_convertvector(x[2], wide)) * n[2];
-    return __builtin_convertvector(h, SHI_V);
-#elif SHI_BITS == 32
-    return (SHI_T)(((double)v[0] - (double)x[0]) * n[0] + ((double)v[1] - (double)x[1]) * n[1]
-                 + ((double)v[2] - (double)x[2]) * n[2]);
-#else
-    return (v[0] - x[0]) * n[0] + (v[1] - x[1]) * n[1] + (v[2] - x[2]) * n[2];
-#endif
+    const SHI_D h = ((double)v[0] - SHI_CONVERT(x[0], SHI_D)) * n[0] + ((double)v[1] - SHI_CONVERT(x[1], SHI_D)) * n[1]
+                  + ((double)v[2] - SHI_CONVERT(x[2], SHI_D)) * n[2];
+    return SHI_CONVERT(h, SHI_V);
 }
 
 enum { SHI_KN(shi_nodes_at_once) = 32 };
@@ -4192,10 +4183,10 @@ SHI_KERNEL SHI_V SHI_KN(shi_polygon_arc)(const SHI_KN(shi_seen) *p, const SHI_KN
     const SHI_V n2 = nx * nx + ny * ny + nz * nz, cross = SHI_ABS(nx) + SHI_ABS(ny) + SHI_ABS(nz);
     const SHI_M seen = (SHI_M)(n2 > SHI_SPLAT(least));
     const SHI_V inverse = SHI_SELECT(seen, one, zero) / SHI_SQRT(SHI_SELECT(seen, n2, one));
-    const SHI_V c = dot * both, far = one + SHI_ABS(c),
+    const SHI_V c = dot * both, den = one + SHI_ABS(c),
                 t = n2 * inverse * both; /* cosine and sine of the arc */
-    const SHI_V s = SHI_SELECT(t < far, t, far), r = SHI_SQRT(SHI_C(0.5) * far), other = SHI_C(0.5) * s / r;
-    const SHI_V h = SHI_KN(shi_polygon_atan)(s / far);
+    const SHI_V s = SHI_SELECT(t < den, t, den), r = SHI_SQRT(SHI_C(0.5) * den), other = SHI_C(0.5) * s / r;
+    const SHI_V h = SHI_KN(shi_polygon_atan)(s / den);
     const SHI_M wide = (SHI_M)(c < zero);
     const SHI_V ch = SHI_SELECT(wide, other, r), sh = SHI_SELECT(wide, r, other);
     SHI_V la[3], k1;
@@ -4291,8 +4282,8 @@ SHI_INLINE void SHI_KN(shi_polygon_spread)(int edges, int size, const SHI_V *m, 
     else if (edges == 1) SHI_KN(shi_polygon_spread_of)(1, size, m, s, out);
 }
 
-/* Solid angle modulo 2 pi from the exterior angles, the multiple from `near`. */
-SHI_INLINE SHI_V SHI_KN(shi_polygon_turning)(const SHI_V x[3], size_t count, const SHI_T *v, SHI_V near)
+/* Solid angle modulo 2 pi from the exterior angles, the multiple from `guess`. */
+SHI_INLINE SHI_V SHI_KN(shi_polygon_turning)(const SHI_V x[3], size_t count, const SHI_T *v, SHI_V guess)
 {
     const SHI_T whole = SHI_C(6.28318530717958647692), half = SHI_C(3.14159265358979323846);
     const SHI_T least = SHI_BITS == 32 ? SHI_C(1e-37) : SHI_C(1e-300 * (SHI_BITS == 64));
@@ -4350,8 +4341,8 @@ SHI_INLINE SHI_V SHI_KN(shi_polygon_turning)(const SHI_V x[3], size_t count, con
     angle = SHI_KN(shi_polygon_angle)(SHI_ABS(turn_s), turn_c);
     exact = SHI_SELECT(turn_s < zero, angle, -angle);
     for (i = 0; i <= count / 2 + 1; i++) {
-        exact += SHI_SELECT(exact < near - half, whole + zero, zero);
-        exact -= SHI_SELECT(exact > near + half, whole + zero, zero);
+        exact += SHI_SELECT(exact < guess - half, whole + zero, zero);
+        exact -= SHI_SELECT(exact > guess + half, whole + zero, zero);
     }
     return exact;
 }
@@ -4377,7 +4368,7 @@ SHI_INLINE void SHI_KN(shi_polygon_block)(int n, int planes, int sides, SHI_FN(s
     SHI_T end_on, at_vertex;                                /* |A x E|, |A| that count as 0 */
     const int gradient = planes >= SH_GRADIENT, slope = n * (n + 1), flux = n * (n - 1);
     SHI_V x[3], d2, dist, volume = zero, sign, factor, wide_factor = zero, size, dets[SHI_ARCS];
-    SHI_M small, bad;
+    SHI_M compact, bad;
     const SHI_T *const center = shape->center, radius = shape->radius;
     size_t i;
     int c, k, l, level;
@@ -4397,11 +4388,11 @@ SHI_INLINE void SHI_KN(shi_polygon_block)(int n, int planes, int sides, SHI_FN(s
     for (k = 0; k < 3; k++) /* such lanes compute something finite, and add nothing */
         x[k] = SHI_SELECT(bad, SHI_SPLAT(center[k] + radius), points[k]);
     size = dist - SHI_C(4) * radius;
-    small = (SHI_M)(size > zero);
-    size = SHI_SELECT(small,
-                      SHI_C(2 * (n + 1)) * radius / (dist - SHI_SELECT(small, SHI_SPLAT(radius), zero)),
+    compact = (SHI_M)(size > zero);
+    size = SHI_SELECT(compact,
+                      SHI_C(2 * (n + 1)) * radius / (dist - SHI_SELECT(compact, SHI_SPLAT(radius), zero)),
                       SHI_SPLAT(100));
-    small &= (SHI_M)(size < SHI_C(limits[SHI_BITS == 64][SHI_RULES - 1]));
+    compact &= (SHI_M)(size < SHI_C(limits[SHI_BITS == 64][SHI_RULES - 1]));
 
     for (i = 1; i + 1 < count; i++) {                       /* the side */
         double own[3];
@@ -4412,7 +4403,7 @@ SHI_INLINE void SHI_KN(shi_polygon_block)(int n, int planes, int sides, SHI_FN(s
     bad |= (SHI_M)(volume == zero);
     sign = sides == SH_SIGNED ? -one : SHI_SELECT(volume < zero, -one, sides == SH_FRONT ? zero : one);
 
-    if (SHI_ANY(SHI_NOT(small))) {
+    if (SHI_ANY(SHI_NOT(compact))) {
         const int room = SHI_POLYGON_SUMS(n) / (2 * n * n), most = room < SHI_ARCS ? room : SHI_ARCS;
         SHI_V *const t = work + most * flux;
         SHI_V m[3 * SHI_ARCS];
@@ -4463,12 +4454,12 @@ SHI_INLINE void SHI_KN(shi_polygon_block)(int n, int planes, int sides, SHI_FN(s
                 }
                 a = b;
                 if (!pass || (++fill < most && i + 1 < count)) continue;
-                wide_factor = SHI_SELECT(bad | small, zero, sign);
+                wide_factor = SHI_SELECT(bad | compact, zero, sign);
                 if (!channels) continue;
                 for (l = 0; l < fill * flux; l++) work[l] = zero;
                 for (l = 0; gradient && l < fill * slope; l++) t[l] = zero;
                 for (e = 0; e < fill; e++)
-                    SHI_KN(shi_polygon_arc_sums)(n, n - 1, gradient ? n : 0, &arcs[e], SHI_NOT(bad | small),
+                    SHI_KN(shi_polygon_arc_sums)(n, n - 1, gradient ? n : 0, &arcs[e], SHI_NOT(bad | compact),
                                                  work + e * flux, t + e * slope);
                 for (c = 0; c < channels; c++) {
                     SHI_V *const to_c = totals + c * SHI_TOTALS(n);
@@ -4487,7 +4478,7 @@ SHI_INLINE void SHI_KN(shi_polygon_block)(int n, int planes, int sides, SHI_FN(s
             }
             /* the fan is relatively exact but near its sides' planes, where the sides are long and turn
              * well-defined angles */
-            if (SHI_ANY(SHI_NOT(bad | small) & (SHI_M)(least <= SHI_SPLAT(SHI_C(0.25)))))
+            if (SHI_ANY(SHI_NOT(bad | compact) & (SHI_M)(least <= SHI_SPLAT(SHI_C(0.25)))))
                 sum = SHI_SELECT((SHI_M)(least > SHI_SPLAT(SHI_C(0.25))), sum,
                                  SHI_KN(shi_polygon_turning)(x, count, v, sum));
             for (c = 0; c < channels; c++) omega[c] += (radiance[c] * wide_factor) * sum;
@@ -4495,9 +4486,9 @@ SHI_INLINE void SHI_KN(shi_polygon_block)(int n, int planes, int sides, SHI_FN(s
     }
     factor = SHI_SELECT(bad, zero, sign);
 
-    if (channels && SHI_ANY(small)) {
+    if (channels && SHI_ANY(compact)) {
         SHI_V *const s = work, *const t = work + n * (n + 1), node[SHI_KN(shi_nodes_at_once) * 5];
-        const SHI_V small_factor = SHI_SELECT(small, factor, zero), in = SHI_SELECT(small, size, zero);
+        const SHI_V small_factor = SHI_SELECT(compact, factor, zero), in = SHI_SELECT(compact, size, zero);
         const int ns = n, nt = gradient ? n + 1 : 0;
         SHI_T largest = 0, tmp[SHI_W];
         if (!rules->made) SHI_FN(shi_make_rules)(rules);
@@ -4529,7 +4520,7 @@ SHI_INLINE void SHI_KN(shi_polygon_block)(int n, int planes, int sides, SHI_FN(s
             for (j = 0; j < nodes; j++) {
                 SHI_V *const o = node + 5 * fill, ir, p[3];
                 for (k = 0; k < 3; k++)
-                    p[k] = SHI_SELECT(small, a0[k] + (rule[3 * j] * e[k] + rule[3 * j + 1] * f[k]), one);
+                    p[k] = SHI_SELECT(compact, a0[k] + (rule[3 * j] * e[k] + rule[3 * j + 1] * f[k]), one);
                 ir = one / SHI_SQRT(p[0] * p[0] + p[1] * p[1] + p[2] * p[2]);
                 for (k = 0; k < 3; k++) o[k] = p[k] * ir;
                 o[3] = rule[3 * j + 2] * (ir * ir * ir) * small_factor;
@@ -4698,7 +4689,7 @@ SHI_INLINE void shi_scene_edge(const shi_scene *p, size_t i, size_t j, shi_two e
                                     p->scale * shi_scene_read(p, 3 * i + (size_t)k));
 }
 
-/* Edge i -> i+1 from A to B: N = A x (B-A) and what MATH calls w, lambda, mu, gamma, k0, k1. 0 if it is seen
+/* Edge i -> i+1 from A to B: N = A x (B-A) and the edge's w, lambda, mu, gamma, k0, k1 of docs/polygons.md. 0 if it is seen
  * as a point; -1 if the point lies on it. */
 typedef struct {
     double w[3], lambda[3], mu[3], gamma, k0, k1, dot, normal[3];
@@ -5170,7 +5161,7 @@ SHI_NOINLINE int shi_triangle_sphere(int bands, int sides, const double x[3], co
     }
     if (error) {
         const double s = r / d, alpha = s < 1 ? sqrt((1 - s) * (1 + s)) : 0;
-        double p0 = 1, p1 = alpha, slope = 1, slope0 = 0, q = 0, near, base;
+        double p0 = 1, p1 = alpha, slope = 1, slope0 = 0, q = 0, nearest, base;
         for (i = 0; i < 3; i++) {
             double h = 0;
             for (k = 0; k < 3; k++) {
@@ -5180,8 +5171,8 @@ SHI_NOINLINE int shi_triangle_sphere(int bands, int sides, const double x[3], co
             q += h / 12;                                    /* mean square distance from the centroid */
             if (h > reach) reach = h;
         }
-        near = 1 - sqrt(reach) / d;
-        base = 0.5 * q / (d * d) / (near * near * near * near * near);
+        nearest = 1 - sqrt(reach) / d;
+        base = 0.5 * q / (d * d) / (nearest * nearest * nearest * nearest * nearest);
         for (l = 0; l < bands; l++) {
             /* the cap over the same area seen at its center: 2/(1+alpha), 2 P_l'/(l(l+1)) */
             double cap = l == 0 ? 2 / (1 + alpha) : 2 * slope / (double)(l * (l + 1)), t;
@@ -5196,7 +5187,7 @@ SHI_NOINLINE int shi_triangle_sphere(int bands, int sides, const double x[3], co
             t = base * shi_second_bound(l) + fabs(cap - 1);
             sum += (2 * l + 1) / (4 * pi) * t * t;
         }
-        *error = near > 0 && s < 1 ? fabs(factor) * (area / (d * d)) * sqrt(sum) : huge;
+        *error = nearest > 0 && s < 1 ? fabs(factor) * (area / (d * d)) * sqrt(sum) : huge;
     }
     for (k = 0; grad && k < 3; k++) {
         /* d cos / dx = (n - u (n.u)) / d, by the shading point */
@@ -5274,7 +5265,7 @@ SHI_NOINLINE int shi_within_engine(int bands, int sides, int tight, double toler
     shi_scene_vertex(&scene, 0, first);
     for (i = 1; i + 1 < count; i++) {                       /* bounds of every way, summed over the fan */
         shi_two d1[3], d2[3], n[3];
-        double c[3], e[3][3], n2[3], det, area, d, q = 0, reach = 0, near, unit, sums[5] = { 0, 0, 0, 0, 0 },
+        double c[3], e[3][3], n2[3], det, area, d, q = 0, reach = 0, nearest, unit, sums[5] = { 0, 0, 0, 0, 0 },
                                                    six[SH_MAX_POLYGON_BANDS], six4[SH_MAX_POLYGON_BANDS];
         shi_scene_edge(&scene, 0, i, d1);
         shi_scene_edge(&scene, 0, i + 1, d2);
@@ -5298,20 +5289,20 @@ SHI_NOINLINE int shi_within_engine(int bands, int sides, int tight, double toler
             if (h > reach) reach = h;
         }
         reach = sqrt(reach);
-        near = d - reach;
-        if (!(near > 0.2 * d)) {
+        nearest = d - reach;
+        if (!(nearest > 0.2 * d)) {
             for (k = 0; k < 5; k++) total[k] = 1e300;
             continue;
         }
         unit = 0.5 * fabs(det);                             /* area |cos| d */
-        shi_sixth_bounds(bands, reach / near, six);
-        shi_sixth_bounds(bands, 0.5 * reach / near, six4);
+        shi_sixth_bounds(bands, reach / nearest, six);
+        shi_sixth_bounds(bands, 0.5 * reach / nearest, six4);
         for (l = 0; l < bands; l++) {
             const double m2 = (2 * l + 1) / 12.566370614359172954,
                          s = area / (3.14159265358979323846 * d * d);
-            const double near5 = near * near * near * near * near,
-                         second = 0.5 * q * shi_second_bound(l) * unit / near5;
-            const double sixth = unit / (near * near * near);
+            const double nearest5 = nearest * nearest * nearest * nearest * nearest,
+                         second = 0.5 * q * shi_second_bound(l) * unit / nearest5;
+            const double sixth = unit / (nearest * nearest * nearest);
             const double alpha = s < 1 ? sqrt(1 - s) : 0;
             double cap = 0; /* sup of the cap's deviation: 1 - P_l' slope, at most l(l+1) s/8 + s */
             cap = unit / (d * d * d) * ((double)(l * (l + 1)) / 8 + 1) * (1 - alpha) * 2;
@@ -5425,7 +5416,7 @@ SHI_INLINE void SHI_FN(shi_polygon_store)(size_t count, const double *in, SHI_T 
 SH_API int SHI_FN(sh_polygon)(int bands, int sides, const SHI_T point[3], size_t count, const SHI_T *vertices,
                               SHI_T *coeffs, SHI_T *grad)
 {
-    const size_t size = (size_t)(bands * bands);
+    const size_t size = (size_t)bands * (size_t)bands;
     double p[3], c[SH_MAX_POLYGON_BANDS * SH_MAX_POLYGON_BANDS],
         g[3 * SH_MAX_POLYGON_BANDS * SH_MAX_POLYGON_BANDS];
     int k, status = SHI_FN(shi_polygon_check)(bands, sides, point, count, vertices);
@@ -5491,7 +5482,7 @@ SH_API int SHI_FN(sh_triangle_as_sphere)(int bands, int sides, const SHI_T point
                                          SHI_T *error)
 {
     double x[3], v[9], out[SH_MAX_BANDS * SH_MAX_BANDS], g[3 * SH_MAX_BANDS * SH_MAX_BANDS], e = 0;
-    const size_t size = (size_t)(bands * bands);
+    const size_t size = (size_t)bands * (size_t)bands;
     int k, status;
     if (!point || !a || !b || !c || !coeffs) return SH_ERROR_NULL;
     if (bands < 1 || bands > SH_MAX_BANDS) return SH_ERROR_BANDS;
@@ -5530,7 +5521,7 @@ SH_API int SHI_FN(sh_polygon_within)(int bands, int sides, SHI_T tolerance, cons
                                      size_t count, const SHI_T *vertices, SHI_T *coeffs, SHI_T *grad,
                                      SHI_T *error, int *used)
 {
-    const size_t size = (size_t)(bands * bands);
+    const size_t size = (size_t)bands * (size_t)bands;
     double p[3], c[SH_MAX_POLYGON_BANDS * SH_MAX_POLYGON_BANDS],
         g[3 * SH_MAX_POLYGON_BANDS * SH_MAX_POLYGON_BANDS], e;
     int k, status = SHI_FN(shi_polygon_check)(bands, sides, point, count, vertices);
@@ -5552,11 +5543,11 @@ SHI_INLINE int SHI_FN(shi_polygons_check)(int bands, int planes, int channels, i
                                           const SHI_T *point, size_t polygons, const int *counts,
                                           const SHI_T *vertices, const SHI_T *radiance, const SHI_T *out)
 {
-    const size_t bytes = points * (size_t)channels * (size_t)(planes * bands * bands) * sizeof *out;
+    const size_t bytes = points * (size_t)channels * (size_t)planes * (size_t)bands * (size_t)bands * sizeof *out;
     size_t i, total = 0;
     if (bands < 1 || bands > SH_MAX_POLYGON_BANDS) return SH_ERROR_BANDS;
-    if ((planes != SH_VALUES && planes != SH_GRADIENT) || channels < 1 || (!radiance && channels != 1))
-        return SH_ERROR_COUNT;
+    if (planes != SH_VALUES && planes != SH_GRADIENT) return SH_ERROR_OPTION;
+    if (channels < 1 || (!radiance && channels != 1)) return SH_ERROR_COUNT;
     if (sides < SH_BOTH || sides > SH_SIGNED) return SH_ERROR_OPTION;
     if (!points) return SH_OK;
     if (!out || (polygons && (!counts || !vertices))) return SH_ERROR_NULL;
@@ -6070,7 +6061,8 @@ SHI_INLINE void SHI_FN(shi_quad_corner)(const SHI_T *quad, int width, int height
  *   tolerance  >= 0: a piece is kept whole if no texel of it is further than this from the mean, in any
  *              channel
  *   most       pieces that fit in the arrays; width*height always suffices
- *   pieces     receives their number; with counts, vertices and radiance NULL, only this is done
+ *   pieces     receives their number, also when it exceeds `most` (SH_ERROR_COUNT); with any of counts,
+ *              vertices and radiance NULL, only this is done
  *   counts     [pieces], all 4;  vertices [pieces][4][3];  radiance [channels][pieces]: the means; stride
  *                                *pieces
  *

@@ -19,10 +19,10 @@
  *   ringing    sh_scale_bands, sh_window, sh_minimum, sh_dering
  *   exchange   sh_convention, sh_convention_name, _size; sh_convert_to, _from, _direction_to, _direction_from
  *
- * DOES NOT    allocate, keep state, read errno, print. Arrays need no alignment. In and out may be the same
+ * DOES NOT    allocate, keep state, print. Arrays need no alignment. In and out may be the same
  *             array, or must not overlap (SH_ERROR_OVERLAP). NaN and Inf in coefficients go through; in
- *             geometry they are an error. Stack, f64 (f32: half): triple product 50 KB, sh_minimum and
- *             sh_dering 85 KB, the others 18 KB at most.
+ *             geometry (and in sh_dering) they are an error. Stack, f64 (f32: half): triple product
+ *             50 KB, sh_minimum and sh_dering 95 KB, the others 27 KB at most.
  *
  * ERROR       c = the input vector, |.| its 2-norm, worst over the output: rotation and cosine products
  *             16 eps |c| to 6 bands, 40 eps |c| to 16; triple product the same with |a| |b|. Worst seen is
@@ -63,11 +63,6 @@ SHI_INLINE int shi_swap_size(int l)
 SHI_INLINE int shi_clash(const void *out, size_t out_bytes, const void *in, size_t in_bytes)
 {
     return (out != in || out_bytes != in_bytes) && shi_overlap(out, out_bytes, in, in_bytes);
-}
-
-SHI_INLINE size_t shi_lanes(size_t blocks)
-{
-    return blocks > (size_t)-1 / SH_BLOCK ? (size_t)-1 : blocks * SH_BLOCK;
 }
 
 /* Cosine and sine of a, b and g in m = Rz(a) Ry(b) Rz(g). */
@@ -1293,15 +1288,6 @@ SHI_INLINE void SHI_KN(shi_prod_triple)(int pairs, int na, int nb, int n, int st
     for (i = 0; i < n * n; i++) out[i] = SHI_SUM(sum[i]);
 }
 
-/* Irradiance of a 3-band light at a unit normal: a quadratic polynomial (RH01 Eq. 12). k: 1, x, y, z, xx,
- * yy, zz, xy, yz, xz. */
-SHI_INLINE void SHI_KN(shi_prod_quadratic)(const SHI_T k[10], const SHI_V n[3], SHI_V *e)
-{
-    const SHI_V x = n[0], y = n[1], z = n[2];
-    *e = k[0] + x * (k[1] + k[4] * x + k[7] * y + k[9] * z)
-       + y * (k[2] + k[5] * y + k[8] * z) + z * (k[3] + k[6] * z);
-}
-
 /* ---- from arrays to lanes and back ---- */
 
 /* a[i] lane j <-> a[j] lane i */
@@ -1450,19 +1436,6 @@ SHI_INLINE void SHI_KN(shi_prod_swap_all)(int bands, const SHI_T *swap, size_t c
     }
 }
 
-SHI_INLINE void SHI_KN(shi_prod_quadratic_all)(const SHI_T k[10], size_t count, const SHI_T *normals,
-                                               SHI_T *out)
-{
-    SHI_V n[3], e;
-    size_t v;
-
-    for (v = 0; v < count; v += SHI_W) {
-        SHI_KN(shi_prod_enter)(3, 1, v, count, normals, n);
-        SHI_KN(shi_prod_quadratic)(k, n, &e);
-        SHI_KN(shi_prod_leave)(1, 1, v, count, NULL, &e, out);
-    }
-}
-
 /* ================================================================================================================
  * Public functions: once per precision.
  * ============================================================================================================= */
@@ -1571,7 +1544,7 @@ SH_API int SHI_FN(sh_rotate)(int bands, const SHI_FN(sh_rotation) *r, size_t cou
 SH_API int SHI_FN(sh_rotate_blocks)(int bands, const SHI_FN(sh_rotation) *r, size_t blocks, const SHI_T *in,
                                     SHI_T *out)
 {
-    const size_t count = shi_lanes(blocks);
+    const size_t count = shi_block_items(blocks);
     const int status = SHI_FN(shi_vectors)(bands, SH_PRODUCT_BANDS, count, in, out);
     if (status) return status;
     if (!r) return SH_ERROR_NULL;
@@ -1596,7 +1569,7 @@ SH_API int SHI_FN(sh_mirror)(int bands, int axis, size_t count, const SHI_T *in,
 }
 
 /* Rename axes: sum out_i Y_i(u') = sum in_i Y_i(u), where u'[k] = +u[|axes[k]|-1], or its negative where
- * axes[k] < 0. { 1, 3, -2 } takes y up to z up. Any of the 48 signed permutations; others are
+ * axes[k] < 0. { 1, -3, 2 } takes a y-up world to a z-up one, { 1, 3, -2 } back. Any of the 48 signed permutations; others are
  * SH_ERROR_OPTION. in, out [count][bands^2]. Error as sh_rotate; exact when z stays on its axis. */
 SH_API int SHI_FN(sh_permute_axes)(int bands, const int axes[3], size_t count, const SHI_T *in, SHI_T *out)
 {
@@ -1719,7 +1692,7 @@ SH_API int SHI_FN(sh_cosine_product_local)(int bands, const SHI_T *coeffs, SHI_T
 
 SH_API int SHI_FN(sh_cosine_product_local_blocks)(int bands, size_t blocks, const SHI_T *coeffs, SHI_T *out)
 {
-    const size_t count = shi_lanes(blocks);
+    const size_t count = shi_block_items(blocks);
     const int status = SHI_FN(shi_vectors)(bands, SH_PRODUCT_BANDS, count, coeffs, out);
     if (status) return status;
     SHI_MANY(shi_prod_cosine_all)(bands, 0, SHI_FN(shi_swap), SHI_FN(shi_clamp), count, NULL, coeffs, out);
@@ -1748,7 +1721,7 @@ SH_API int SHI_FN(sh_cosine_product)(int bands, const SHI_T normal[3], const SHI
 SH_API int SHI_FN(sh_cosine_product_blocks)(int bands, size_t blocks, const SHI_T *normals,
                                             const SHI_T *coeffs, SHI_T *out)
 {
-    const size_t count = shi_lanes(blocks);
+    const size_t count = shi_block_items(blocks);
     const int status = SHI_FN(shi_vectors)(bands, SH_PRODUCT_BANDS, count, coeffs, out);
     if (status) return status;
     if (count && !normals) return SH_ERROR_NULL;
@@ -1837,37 +1810,26 @@ SH_API int SHI_FN(sh_convolve)(int bands, const SHI_T *zh, const SHI_T *in, SHI_
 
 /* Irradiance at normals from one radiance vector: the exact cosine convolution.
  *
- *   normals   [count][3], unit length
- *   out       [count]; divide by pi and multiply by the albedo for the radiance that leaves
+ *   coeffs      [bands^2]
+ *   normals     [count][3], any length from 1e-18 to 1e18 (double 1e-150 to 1e150); they are normalised
+ *   irradiance  [count]; divide by pi and multiply by the albedo for the radiance that leaves
  *
- * Bands to 32; to 3 bands a quadratic polynomial in the normal, 12 multiply-adds. Error 16 eps |coeffs| to
- * 6 bands, 40 eps to 16. Source: RH01. */
+ * Bands to 32. A bad normal leaves its own output untouched and the call returns its status. Error 16 eps |coeffs| to
+ * 6 bands, 40 eps to 16, beyond that of sh_reconstruct. Source: RH01. */
 SH_API int SHI_FN(sh_diffuse_n)(int bands, const SHI_T *coeffs, size_t count, const SHI_T *normals,
                                 SHI_T *irradiance)
 {
-    SHI_T zh[SH_MAX_BANDS], c[SH_MAX_BANDS * SH_MAX_BANDS], k[10];
-    int l;
-
+    SHI_T zh[SH_MAX_BANDS], c[SH_MAX_BANDS * SH_MAX_BANDS];
     if (!coeffs || (count && (!normals || !irradiance))) return SH_ERROR_NULL;
     if (bands < 1 || bands > SH_MAX_BANDS) return SH_ERROR_BANDS;
+    if (shi_overlap(coeffs, (size_t)(bands * bands) * sizeof *coeffs, irradiance, count * sizeof *irradiance))
+        return SH_ERROR_OVERLAP;
     SHI_FN(sh_zonal_cosine)(bands, zh);
     SHI_FN(sh_convolve)(bands, zh, coeffs, c);
-    if (bands > 3) return SHI_FN(sh_reconstruct_n)(bands, c, count, normals, irradiance, NULL);
-    for (l = bands * bands; l < 9; l++) c[l] = 0;
-    k[0] = SHI_C(0.28209479177387814) * c[0] - SHI_C(0.31539156525252) * c[6];
-    k[1] = SHI_C(-0.4886025119029199) * c[3];
-    k[2] = SHI_C(-0.4886025119029199) * c[1];
-    k[3] = SHI_C(0.4886025119029199) * c[2];
-    k[4] = SHI_C(0.5462742152960396) * c[8];
-    k[5] = -k[4];
-    k[6] = SHI_C(0.94617469575756) * c[6];
-    k[7] = SHI_C(1.0925484305920792) * c[4];
-    k[8] = SHI_C(-1.0925484305920792) * c[5];
-    k[9] = SHI_C(-1.0925484305920792) * c[7];
-    SHI_MANY(shi_prod_quadratic_all)(k, count, normals, irradiance);
-    return SH_OK;
+    return SHI_FN(sh_reconstruct_n)(bands, c, count, normals, irradiance, NULL);
 }
 
+/* One normal. */
 SH_API int SHI_FN(sh_diffuse)(int bands, const SHI_T normal[3], const SHI_T *coeffs, SHI_T *irradiance)
 {
     return SHI_FN(sh_diffuse_n)(bands, coeffs, 1, normal, irradiance);
@@ -2100,18 +2062,18 @@ SH_API int SHI_FN(sh_minimum)(int bands, const SHI_T *coeffs, SHI_T *dir, SHI_T 
         SHI_FN(sh_reconstruct_n)(bands, coeffs, (size_t)count, dirs, values, NULL);
         for (i = 0; i < count; i++) {
             const SHI_T *d = dirs + 3 * i;
-            int near = -1, worst = 0;
+            int slot = -1, worst = 0, fresh = 0;
             for (j = 0; j < used; j++) {
-                if ((double)(d[0] * start[j][0] + d[1] * start[j][1] + d[2] * start[j][2]) > apart) near = j;
+                if ((double)(d[0] * start[j][0] + d[1] * start[j][1] + d[2] * start[j][2]) > apart) slot = j;
                 if (low[j] > low[worst]) worst = j;
             }
-            if (near < 0) {
-                if (used < SHI_STARTS) { near = used++; low[near] = values[i] + 1; }
-                else near = worst;
+            if (slot < 0) {
+                fresh = used < SHI_STARTS;
+                slot = fresh ? used++ : worst;
             }
-            if (values[i] < low[near]) {
-                low[near] = values[i];
-                for (k = 0; k < 3; k++) start[near][k] = d[k];
+            if (fresh || values[i] < low[slot]) {
+                low[slot] = values[i];
+                for (k = 0; k < 3; k++) start[slot][k] = d[k];
             }
         }
     }
@@ -2125,17 +2087,18 @@ SH_API int SHI_FN(sh_minimum)(int bands, const SHI_T *coeffs, SHI_T *dir, SHI_T 
     return SH_OK;
 }
 
-/* Do all channels, windowed at 1/inverse_width, stay non-negative? Leaves them in out. */
+/* Do all channels, windowed at 1/inverse_width, stay non-negative? Leaves them in out, if not NULL. */
 SHI_INLINE int SHI_FN(shi_window_suffices)(int kind, int bands, int channels, double inverse_width,
                                            const SHI_T *in, SHI_T *out)
 {
-    SHI_T factors[SH_MAX_BANDS], lowest;
+    SHI_T factors[SH_MAX_BANDS], windowed[SH_MAX_BANDS * SH_MAX_BANDS], lowest;
     int c, l;
 
     for (l = 0; l < bands; l++) factors[l] = (SHI_T)shi_window(kind, 1 / inverse_width, l);
     for (c = 0; c < channels; c++) {
-        SHI_FN(sh_scale_bands)(bands, factors, in + c * bands * bands, out + c * bands * bands);
-        SHI_FN(sh_minimum)(bands, out + c * bands * bands, NULL, &lowest);
+        SHI_T *const to = out ? out + c * bands * bands : windowed;
+        SHI_FN(sh_scale_bands)(bands, factors, in + c * bands * bands, to);
+        SHI_FN(sh_minimum)(bands, to, NULL, &lowest);
         if (!(lowest >= 0)) return 0;
     }
     return 1;
@@ -2175,14 +2138,14 @@ SH_API int SHI_FN(sh_dering)(int kind, int bands, int channels, const SHI_T *in,
         if (width) *width = 0;
         return SH_OK;
     }
-    for (high = 1.0 / 16; !SHI_FN(shi_window_suffices)(kind, bands, channels, high, in, out);
+    for (high = 1.0 / 16; !SHI_FN(shi_window_suffices)(kind, bands, channels, high, in, NULL);
          high += high < 1 ? 1.0 / 16 : high) {
         low = high;
         if (high > 64) return SH_ERROR_NOT_FINITE;          /* the range of the numbers is exceeded */
     }
     for (k = 0; k < 40 && high - low > 1e-6 * high; k++) {
         const double middle = 0.5 * (low + high);
-        if (SHI_FN(shi_window_suffices)(kind, bands, channels, middle, in, out)) high = middle;
+        if (SHI_FN(shi_window_suffices)(kind, bands, channels, middle, in, NULL)) high = middle;
         else low = middle;
     }
     SHI_FN(shi_window_suffices)(kind, bands, channels, high, in, out);

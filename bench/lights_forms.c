@@ -15,7 +15,7 @@
 #endif
 
 /* g_l = sqrt(4 pi/(2l+1)) times Eq. 9, and its derivatives by the distance (planes >= 4: Eq. 13, 14, 16; planes 10:
- * MATH's g'', which M22 leaves to future work). p[l+1] holds P_l, p[0] = P_{-1} = 1. */
+ * g'', which M22 leaves to future work). p[l+1] holds P_l, p[0] = P_{-1} = 1. */
 INLINE void zonal(const int bands, const int planes, const real d, const real r, real *g, real *dg, real *ddg)
 {
     const real s = r / d, alpha = REAL_SQRT(1 - s * s);         /* Eq. 10: sin(a), cos(a) */

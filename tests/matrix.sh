@@ -153,7 +153,10 @@ others() {
     else skip aarch64 "aarch64-linux-gnu-gcc and qemu-aarch64"; fi
     if have x86_64-w64-mingw32-gcc; then
         for std in c99 gnu17; do try x86_64-w64-mingw32-gcc -std=$std $W -O1 -I. -c -o "$work/all.obj" "$work/all.c"; done
-        echo "ok mingw: compiles"
+        for before in windows.h complex.h; do       # which define near, far, small, I ...
+            try x86_64-w64-mingw32-gcc -std=gnu99 $W -O1 $few -I. -include $before -c -o "$work/all.obj" "$work/all.c"
+        done
+        echo "ok mingw: compiles, after windows.h and complex.h too"
     else skip mingw x86_64-w64-mingw32-gcc; fi
 }
 

@@ -39,7 +39,7 @@ void ref_sphere(int bands, const long double point[3], const long double center[
 /* Gauss-Legendre nodes and weights on [-1,1], n <= 256. */
 void ref_gauss(int n, long double *x, long double *w);
 
-/* Scales of DESIGN's bounds. */
+/* Scales of the bounds. */
 long double ref_M(int l);      /* sqrt((2l+1)/4pi)         largest |Y_lm|, l2 over m at any direction */
 long double ref_G(int l);      /* sqrt(l(l+1)(2l+1)/8pi)   of its gradient */
 int ref_band(int i);           /* l of index i */

@@ -18,7 +18,7 @@ $(TESTS_DIR)/%.o: tests/%.c tests/report.h tests/ref.h | $(TESTS_DIR)
 $(TESTS_PROGRAMS): $(TESTS_DIR)/%: tests/%.c $(TESTS_HELPERS) $(wildcard sh_*.h tests/*.h)
 	$(CC) $(CPPFLAGS) $(CFLAGS) $(WARN) -Itests -o $@ $< $(TESTS_HELPERS) $(TESTS_LIBS_$*) $(TESTS_LIBS)
 
-# one of them: make run-test_gradient
+# one of them: make run-test_gradient_basis
 $(TESTS_SOURCES:tests/%.c=run-%): run-%: $(TESTS_DIR)/%
 	$(TESTS_DIR)/$*
 

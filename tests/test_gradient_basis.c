@@ -8,7 +8,7 @@ enum { MAX = SH_MAX_BANDS * SH_MAX_BANDS };
 static const int plane_of[3][3] = { { 0, 1, 2 }, { 1, 3, 4 }, { 2, 4, 5 } };
 static ref_jet jets[REF_MAX];
 
-/* DESIGN's bounds without eps: Y, gradient times |v|, Hessian times |v|^2. */
+/* The bounds without eps: Y, gradient times |v|, Hessian times |v|^2. */
 static long double y_bound(int l) { return (4 + l * (l + 1) / 4.0L) * ref_M(l); }
 static long double grad_bound(int l) { return (8 + l * (l + 1) / 4.0L) * ref_G(l); }
 static long double hess_bound(int l) { return (16 + l * (l + 1) / 2.0L) * l * (l + 1) * ref_M(l); }

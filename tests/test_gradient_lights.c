@@ -12,7 +12,7 @@ static long double y_bound(int l) { return (4 + l * (l + 1) / 4.0L) * ref_M(l); 
 static long double grad_bound(int l) { return (8 + l * (l + 1) / 4.0L) * ref_G(l); }
 static long double hess_bound(int l) { return (16 + l * (l + 1) / 2.0L) * l * (l + 1) * ref_M(l); }
 
-/* What DESIGN's bounds of a sphere light are made of, at sin of the half-angle s and distance rho. */
+/* What the bounds of a sphere light are made of, at sin of the half-angle s and distance rho. */
 typedef struct { long double omega, slope, curvature, steep, rho; } cap_scale;
 
 static cap_scale scale_of(long double radius, long double rho)
@@ -552,7 +552,7 @@ static void F(light_field_converges)(void **state)
             if (!(fabsl(g[i] - want[i]) <= error[round])) error[round] = fabsl(g[i] - want[i]);
     }
     row_case("32^2: %.3Lg of the largest, 64^2: %.3Lg", error[0] / worst, error[1] / worst);
-    row_check(w, error[1] / worst, 0, 3e-4L, 0);                       /* MATH: 2.6e-4 at 64^2 */
+    row_check(w, error[1] / worst, 0, 3e-4L, 0);                       /* a second-order rule: 2.6e-4 at 64^2 */
     row_close(w);
     assert_true(error[1] < error[0] / 3.5L);
 }

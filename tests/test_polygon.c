@@ -73,7 +73,7 @@ static void make_scene(scene_of *s, int kind, double ratio, double graze, int tu
     if (!turned) s->point[2] = as_float(scale * ldexp(floor(ldexp(graze / ratio, 30) + 1), -30));
 }
 
-/* The closed form in each edge's own frame (MATH 5) in long double: e, f in the frame [middle, mu x middle,
+/* The closed form in each edge's own frame in long double: e, f in the frame [middle, mu x middle,
  * mu], turned to the world by quadrature over the sphere. Shares nothing with the header but the polygon.
  * Positive from behind; l >= 1. */
 static void edge_frames(int n, const double *point, int count, const double *v, long double *c,
@@ -306,7 +306,7 @@ static void F(sides)(void **state)
     assert_true(c[0][0] == 0 && c[1][0] > 0);
 }
 
-/* DESIGN's row: in the plane outside, inside, on an edge, on a vertex */
+/* In the plane outside, inside, on an edge, on a vertex */
 static void F(in_plane)(void **state)
 {
     static const T quad[12] = { -1, -1, 0, 3, -1, 0, 3, 3, 0, -1, 3, 0 };

@@ -347,7 +347,7 @@ static void F(statuses)(void **state)
     int i;
     (void)state;
     for (i = 0; i < 64; i++) out[i] = 7;
-    assert_int_equal(F(sh_polygons_n)(4, 2, 1, SH_BOTH, 1, p, 1, counts, v, NULL, out), SH_ERROR_COUNT);
+    assert_int_equal(F(sh_polygons_n)(4, 2, 1, SH_BOTH, 1, p, 1, counts, v, NULL, out), SH_ERROR_OPTION);
     assert_int_equal(F(sh_polygons_n)(4, SH_VALUES, 2, SH_BOTH, 1, p, 1, counts, v, NULL, out),
                      SH_ERROR_COUNT);
     assert_int_equal(F(sh_polygons_n)(17, SH_VALUES, 1, SH_BOTH, 1, p, 1, counts, v, NULL, out),

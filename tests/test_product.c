@@ -140,7 +140,7 @@ static void matrix_of(const long double q[4], long double m[9])
 }
 
 static long double norm2(int n, const long double *c) { return sqrtl(dot_n(n, c, c)); }
-static int limit(int bands) { return bands <= 6 ? 16 : 40; }        /* DESIGN: products and rotation, in eps |c|_2 */
+static int limit(int bands) { return bands <= 6 ? 16 : 40; }        /* products and rotation, in eps |c|_2 */
 
 #define BOTH "test_product.c"
 #include "both.h"
@@ -438,6 +438,9 @@ static void F(zonal_and_diffuse)(void **state)
         for (i = 0; i < n; i++) sum += sqrtl(4 * REF_PI / (2 * ref_band(i) + 1)) * zh[ref_band(i)] * y[i] * lc[i];
         assert_int_equal(F(sh_diffuse)(bands, normal, c, &e), SH_OK);
         row_check(wd, (long double)e, sum, limit(bands) * (long double)EPS * norm2(n, lc), 0);
+        for (k = 0; k < 3; k++) normal[k] *= (T)(turn % 2 ? 3000 : 0.001);              /* any length */
+        assert_int_equal(F(sh_diffuse)(bands, normal, c, &e), SH_OK);
+        row_check(wd, (long double)e, sum, limit(bands) * (long double)EPS * norm2(n, lc), 0);
         F(sh_cosine_product)(bands, normal, c, out);
         F(sh_diffuse_from_product)(out, &t);
         row_check(we, (long double)t, (long double)e, 2 * limit(bands) * (long double)EPS * norm2(n, lc) * 3.55L, 0);
@@ -607,6 +610,18 @@ static void F(refusals)(void **state)
     assert_int_equal(F(sh_mirror)(3, 3, 1, a, out), SH_ERROR_OPTION);
     assert_int_equal(F(sh_convolve)(3, NULL, a, out), SH_ERROR_NULL);
     assert_int_equal(F(sh_diffuse)(33, normal, a, out), SH_ERROR_BANDS);
+    assert_int_equal(F(sh_diffuse)(2, normal, a, a + 3), SH_ERROR_OVERLAP);
+    {   /* a bad normal spoils only its own output, at every band count */
+        T n3[9] = { 0, 0, 1, 0, 0, 0, 0, 1, 0 }, e[3];
+        int bands;
+        for (bands = 1; bands < 6; bands++) {
+            e[0] = e[1] = e[2] = 7;
+            assert_int_equal(F(sh_diffuse_n)(bands, a, 3, n3, e), SH_ERROR_DIRECTION);
+            assert_true(e[0] != 7 && e[1] == 7 && e[2] != 7);
+            assert_int_equal(F(sh_diffuse)(bands, n3 + 3, a, e + 1), SH_ERROR_DIRECTION);
+            assert_true(e[1] == 7);
+        }
+    }
     {   /* NaN and Inf in coefficients go through, and stay in their band or order where the operation does */
         T c[25] = { 0 }, d[25];
         int i, bad = 0;
