@@ -238,6 +238,8 @@ SH_API const char *sh_status_string(int status)
     }
 }
 
+enum { SHI_IS_INSIDE = 1, SHI_NOT_FINITE = 2, SHI_BAD_RADIUS = 4 };     /* what a sum of lights met */
+
 SHI_INLINE int shi_abs(int i) { return i < 0 ? -i : i; }
 
 /* items in that many blocks, or more than any call takes */
@@ -1769,8 +1771,7 @@ SHI_KERNEL int SHI_KN(shi_sample_geometry)(const SHI_T *dirs, size_t count, size
 
 /* moments[channels][kinds][levels^2] of all lights at a point (`point`, spheres), or of weighted directions (point
  * NULL, spheres = dirs). radiance[channels][count] or NULL. A block's geometry and weights serve every channel;
- * columns are taken as many at a time as their sums fit the stack. Returns bits: 1 inside, 2 not finite, 4 negative
- * radius */
+ * columns are taken as many at a time as their sums fit the stack. Returns SHI_IS_INSIDE and so on */
 SHI_KERNEL int SHI_KN(shi_moments)(int n, int kinds, int channels, const SHI_T *point, size_t count, const SHI_T *spheres,
                                    const SHI_T *radiance, SHI_T *moments)
 {
@@ -1800,7 +1801,7 @@ SHI_KERNEL int SHI_KN(shi_moments)(int n, int kinds, int channels, const SHI_T *
                     SHI_KN(shi_load_light)(spheres, count, one, center, &radius);
                     polar[i] = SHI_KN(shi_light_geometry)(point, center, radius, kinds, flags, &lights[i]);
                 } else if (!SHI_KN(shi_sample_geometry)(spheres, count, one, &polar[i], &lights[i])) {
-                    bad = 2;
+                    bad = SHI_NOT_FINITE;
                 }
             }
             for (i = 0; i < nb && point; i++) SHI_KN(shi_light_weights)(n, kinds, &lights[i], levels, nb, weights + i);
@@ -1827,7 +1828,8 @@ SHI_KERNEL int SHI_KN(shi_moments)(int n, int kinds, int channels, const SHI_T *
                         if (m) out[-m] = SHI_FN(shi_pole)[SHI_ROWS(j, m)] * SHI_SUM(sums[at + 1]);
                     }
     }
-    return bad | (SHI_ANY(flags[0]) ? 1 : 0) | (SHI_ANY(flags[1]) ? 2 : 0) | (SHI_ANY(flags[2]) ? 4 : 0);
+    return bad | (SHI_ANY(flags[0]) ? SHI_IS_INSIDE : 0) | (SHI_ANY(flags[1]) ? SHI_NOT_FINITE : 0)
+         | (SHI_ANY(flags[2]) ? SHI_BAD_RADIUS : 0);
 }
 SHI_NOINLINE int SHI_KN(shi_moments_values)(int n, int channels, const SHI_T *point, size_t count,
                                             const SHI_T *spheres, const SHI_T *radiance, SHI_T *moments)
@@ -2761,6 +2763,14 @@ SHI_INLINE int SHI_FN(shi_check_grid)(const SHI_FN(sh_grid) *g, size_t first, si
     return first > all || nodes > all - first ? SH_ERROR_COUNT : SH_OK;
 }
 
+SHI_INLINE void SHI_FN(shi_grid_node)(const SHI_FN(sh_grid) *g, size_t node, SHI_T x[3])
+{
+    const size_t nx = (size_t)g->count[0], ny = (size_t)g->count[1];
+    x[0] = g->origin[0] + (SHI_T)(node % nx) * g->cell[0];
+    x[1] = g->origin[1] + (SHI_T)(node / nx % ny) * g->cell[1];
+    x[2] = g->origin[2] + (SHI_T)(node / nx / ny) * g->cell[2];
+}
+
 SHI_INLINE int SHI_FN(shi_check_spheres)(int bands, int planes, int channels, size_t points, const SHI_T *point, size_t count,
                                          const SHI_T *spheres, const SHI_T *radiance, const SHI_T *out)
 {
@@ -2832,7 +2842,7 @@ SHI_INLINE int SHI_FN(shi_spheres_at)(int n, int planes, int channels, const SHI
                                 : SHI_WIDE(shi_moments_hessian)(n, channels, point, count, spheres, radiance, work);
     SHI_T *const spare = work + channels * kinds * plane;
     int channel, k;
-    if (flags > 1) return flags;
+    if (flags & ~SHI_IS_INSIDE) return flags;
     for (channel = 0; channel < channels; channel++, work += kinds * plane, out += planes * size) {
         memcpy(out, work, (size_t)size * sizeof *out);
         if (planes != SH_VALUES)
@@ -2857,17 +2867,12 @@ SHI_INLINE int SHI_FN(shi_spheres_with)(int n, int planes, int channels, int mos
                                         const SHI_T *radiance, SHI_T *work, SHI_T *out)
 {
     const size_t block = (size_t)(n * n * planes);
-    int status = SH_OK, c, k;
+    int status = SH_OK, c;
     size_t p;
     for (p = 0; p < points; p++) {
         SHI_T x[3];
-        if (grid) {
-            size_t rest = first + p;
-            for (k = 0; k < 3; k++, rest /= (size_t)grid->count[k - 1])
-                x[k] = grid->origin[k] + (SHI_T)(rest % (size_t)grid->count[k]) * grid->cell[k];
-        } else {
-            memcpy(x, point + 3 * p, sizeof x);
-        }
+        if (grid) SHI_FN(shi_grid_node)(grid, first + p, x);
+        else memcpy(x, point + 3 * p, sizeof x);
         if (!SHI_FN(shi_finite)(x, 3)) {
             status = SH_ERROR_NOT_FINITE;
             continue;
@@ -2876,8 +2881,8 @@ SHI_INLINE int SHI_FN(shi_spheres_with)(int n, int planes, int channels, int mos
             const int flags = SHI_FN(shi_spheres_at)(n, planes, channels - c < most ? channels - c : most, x, count, spheres,
                                                      radiance ? radiance + (size_t)c * count : NULL, work,
                                                      out + (p * (size_t)channels + (size_t)c) * block);
-            if (flags & 2) return SH_ERROR_NOT_FINITE;
-            if (flags & 4) return SH_ERROR_RADIUS;
+            if (flags & SHI_NOT_FINITE) return SH_ERROR_NOT_FINITE;
+            if (flags & SHI_BAD_RADIUS) return SH_ERROR_RADIUS;
             if (flags && status == SH_OK) status = SH_INSIDE;
         }
     }

@@ -3726,6 +3726,21 @@ SHI_INLINE void shi_zonal_steps(int n, double *steps);
 SHI_INLINE void shi_scene_open(shi_scene *scene, const double point[3], size_t count, const void *vertices,
                                int floats);
 
+/* u, v, weight of the nodes of triangle rules: 1 node, 3 and 7; weights sum to 1/2 */
+static const double shi_triangle_rules[11][3] = {
+    { 0.33333333333333333, 0.33333333333333333, 0.5 },
+    { 0.16666666666666667, 0.16666666666666667, 0.16666666666666667 },
+    { 0.66666666666666667, 0.16666666666666667, 0.16666666666666667 },
+    { 0.16666666666666667, 0.66666666666666667, 0.16666666666666667 },
+    { 0.33333333333333333, 0.33333333333333333, 0.1125 },                   /* 9/80 */
+    { 0.10128650732345634, 0.10128650732345634, 0.06296959027241357 },  /* (6-sqrt 15)/21, (155-sqrt 15)/2400 */
+    { 0.79742698535308732, 0.10128650732345634, 0.06296959027241357 },
+    { 0.10128650732345634, 0.79742698535308732, 0.06296959027241357 },
+    { 0.47014206410511509, 0.47014206410511509, 0.066197076394253095 }, /* (6+sqrt 15)/21, (155+sqrt 15)/2400 */
+    { 0.05971587178976982, 0.47014206410511509, 0.066197076394253095 },
+    { 0.47014206410511509, 0.05971587178976982, 0.066197076394253095 }
+};
+
 #define SHI_FILE SH_POLYGON_FILENAME
 #define SHI_ROOM SHI_INSTANTIATE
 #include SH_GRADIENT_FILENAME
@@ -3801,23 +3816,11 @@ typedef struct {
 
 SHI_NOINLINE void SHI_FN(shi_make_rules)(SHI_FN(shi_rules) *r)
 {
-    static const double few[11][3] = {
-        { 0.33333333333333333, 0.33333333333333333, 0.5 },
-        { 0.16666666666666667, 0.16666666666666667, 0.16666666666666667 },
-        { 0.66666666666666667, 0.16666666666666667, 0.16666666666666667 },
-        { 0.16666666666666667, 0.66666666666666667, 0.16666666666666667 },
-        { 0.33333333333333333, 0.33333333333333333, 0.1125 },                   /* 9/80 */
-        { 0.10128650732345634, 0.10128650732345634, 0.06296959027241357 },  /* (6-sqrt 15)/21, (155-sqrt 15)/2400 */
-        { 0.79742698535308732, 0.10128650732345634, 0.06296959027241357 },
-        { 0.10128650732345634, 0.79742698535308732, 0.06296959027241357 },
-        { 0.47014206410511509, 0.47014206410511509, 0.066197076394253095 }, /* (6+sqrt 15)/21, (155+sqrt 15)/2400 */
-        { 0.05971587178976982, 0.47014206410511509, 0.066197076394253095 },
-        { 0.47014206410511509, 0.05971587178976982, 0.066197076394253095 } };
     SHI_T *at = r->node;
     int i, j, k;
     r->made = 1;
     for (i = 0; i < 11; i++)
-        for (k = 0; k < 3; k++) *at++ = (SHI_T)few[i][k];
+        for (k = 0; k < 3; k++) *at++ = (SHI_T)shi_triangle_rules[i][k];
     r->start[0] = 0;
     r->start[1] = 1;
     r->start[2] = 4;
@@ -4730,14 +4733,13 @@ SHI_INLINE int shi_scene_arc(const shi_scene *p, size_t i, shi_arc *e)
 
 /* ---- collecting nodes for the kernel ---- */
 
-#define SHI_POLYGON_BANDS 16
 #define SHI_SINK_GROUPS   16
 
 typedef struct {
     int ns, nt, tight, fill;
     double node[SHI_SINK_GROUPS * 5 * SHI_MANY(shi_polygon_lanes)];
-    SHI_MANY(shi_vector) s[(SHI_POLYGON_BANDS + 1) * (SHI_POLYGON_BANDS + 2)];
-    SHI_MANY(shi_vector) t[(SHI_POLYGON_BANDS + 1) * (SHI_POLYGON_BANDS + 2)];
+    SHI_MANY(shi_vector) s[(SH_MAX_POLYGON_BANDS + 1) * (SH_MAX_POLYGON_BANDS + 2)];
+    SHI_MANY(shi_vector) t[(SH_MAX_POLYGON_BANDS + 1) * (SH_MAX_POLYGON_BANDS + 2)];
 } shi_sink;
 
 SHI_NOINLINE void shi_sink_flush(shi_sink *k)
@@ -4920,9 +4922,9 @@ SHI_NOINLINE int shi_polygon_engine(int bands, int sides, int tight, const doubl
 {
     const double turn = 6.283185307179586476925, y00 = 0.28209479177387814347;
     const int size = bands * bands, planes = grad ? SH_GRADIENT : SH_VALUES;
-    double totals[SHI_TOTALS(SHI_POLYGON_BANDS)], out[4 * SHI_POLYGON_BANDS * SHI_POLYGON_BANDS];
-    double s[(SHI_POLYGON_BANDS + 1) * (SHI_POLYGON_BANDS + 2)],
-        t[(SHI_POLYGON_BANDS + 1) * (SHI_POLYGON_BANDS + 2)];
+    double totals[SHI_TOTALS(SH_MAX_POLYGON_BANDS)], out[4 * SH_MAX_POLYGON_BANDS * SH_MAX_POLYGON_BANDS];
+    double s[(SH_MAX_POLYGON_BANDS + 1) * (SH_MAX_POLYGON_BANDS + 2)],
+        t[(SH_MAX_POLYGON_BANDS + 1) * (SH_MAX_POLYGON_BANDS + 2)];
     double spread = 0, signed_sum = 0, volume = 0, area[3] = { 0, 0, 0 }, sign, omega = 0, plane_turn = 0,
            least = 4;
     shi_scene scene;
@@ -5092,10 +5094,6 @@ SHI_NOINLINE int shi_polygon_engine(int bands, int sides, int tight, const doubl
     return status;
 }
 
-#endif /* SHI_BITS == 64 */
-
-#if SHI_BITS == 64
-
 /* sup over the sphere and over unit vectors t of the Euclidean norm over m of (t.grad)^2 [Y_lm(p/|p|)/|p|^3]
  * at |p| = 1, in units of M_l: largest eigenvalue of [[12, 4 sqrt(k/2)], [., 3 + sqrt(k(3k-2)/8)]], k =
  * l(l+1) */
@@ -5110,19 +5108,15 @@ SHI_NOINLINE int shi_triangle_sphere(int bands, int sides, const double x[3], co
 {
     const double huge = 1.7976931348623157e308, pi = 3.14159265358979323846;
     const int size = bands * bands;
-    double y[3], u[3], n[3], zero[3] = { 0, 0, 0 }, scale, extent = 0, area, r, d, cosine, factor, sum = 0,
-                             reach = 0;
+    double y[3], u[3], n[3], zero[3] = { 0, 0, 0 }, scale, area, r, d, cosine, factor, sum = 0, reach = 0;
+    shi_scene scene;
     shi_two e1[3], e2[3], normal[3];
     int i, k, l, status;
     memset(out, 0, (size_t)size * sizeof out[0]);
     if (grad) memset(grad, 0, 3 * (size_t)size * sizeof grad[0]);
     if (error) *error = 0;
-    for (i = 0; i < 9; i++) {
-        const double t = fabs(0.25 * v[i] - 0.25 * x[i % 3]);
-        if (t > extent) extent = t;
-    }
-    frexp(extent, &k);
-    scale = ldexp(1, -2 - (k > 1000 ? 1000 : k < -1000 ? -1000 : k));
+    shi_scene_open(&scene, x, 3, v, 0);
+    scale = scene.scale;
     for (k = 0; k < 3; k++) {
         e1[k] = shi_two_sum(scale * v[3 + k], -scale * v[k]);
         e2[k] = shi_two_sum(scale * v[6 + k], -scale * v[k]);
@@ -5200,10 +5194,6 @@ SHI_NOINLINE int shi_triangle_sphere(int bands, int sides, const double x[3], co
     return status;
 }
 
-#endif /* SHI_BITS == 64 */
-
-#if SHI_BITS == 64
-
 /* best[l] = bound on what a degree-5 rule leaves on a triangle whose points lie within R = e rho of its
  * centroid, rho its least distance, in units of M_l area |cos| d/rho^3: its 6th-order remainder and the
  * integral's. Along any line the band's vector Y_l(p/|p|)/|p|^3 extends to complex offsets s rho with norm at
@@ -5242,15 +5232,6 @@ SHI_NOINLINE int shi_within_engine(int bands, int sides, int tight, double toler
                                    size_t count, const void *vertices, int floats, double *out, double *grad,
                                    double *error, int *used)
 {
-    static const double few[8][3] = {
-        { 0.33333333333333333, 0.33333333333333333, 0.5 },
-        { 0.33333333333333333, 0.33333333333333333, 0.1125 },
-        { 0.10128650732345634, 0.10128650732345634, 0.06296959027241357 },
-        { 0.79742698535308732, 0.10128650732345634, 0.06296959027241357 },
-        { 0.10128650732345634, 0.79742698535308732, 0.06296959027241357 },
-        { 0.47014206410511509, 0.47014206410511509, 0.066197076394253095 },
-        { 0.05971587178976982, 0.47014206410511509, 0.066197076394253095 },
-        { 0.47014206410511509, 0.05971587178976982, 0.066197076394253095 } };
     enum { SPHERE, POINT, POINT4, SEVEN, SEVEN4, EXACT };
     const int size = bands * bands;
     double total[5] = { 0, 0, 0, 0, 0 }, volume = 0, sign;
@@ -5332,7 +5313,7 @@ SHI_NOINLINE int shi_within_engine(int bands, int sides, int tight, double toler
         shi_two d1[3], d2[3], n[3];
         double n2[3], det, p[3];
         int piece, pieces = way == POINT4 || way == SEVEN4 ? 4 : 1, j,
-                   from = way == SEVEN || way == SEVEN4 ? 1 : 0, to = from ? 8 : 1;
+                   from = way == SEVEN || way == SEVEN4 ? 4 : 0, to = from ? 11 : 1;
         shi_scene_edge(&scene, 0, i, d1);
         shi_scene_edge(&scene, 0, i + 1, d2);
         shi_two_cross(d1, d2, n);
@@ -5357,9 +5338,10 @@ SHI_NOINLINE int shi_within_engine(int bands, int sides, int tight, double toler
             const double half = pieces == 1 ? 1 : piece == 3 ? -0.5 : 0.5;
             const double u0 = piece == 1 || piece == 3 ? 0.5 : 0, v0 = piece == 2 || piece == 3 ? 0.5 : 0;
             for (j = from; j < to; j++) {
-                const double a = u0 + half * few[j][0], b = v0 + half * few[j][1];
+                const double *const rule = shi_triangle_rules[j];
+                const double a = u0 + half * rule[0], b = v0 + half * rule[1];
                 for (k = 0; k < 3; k++) p[k] = first[k].h + (a * d1[k].h + b * d2[k].h);
-                shi_within_node(bands, p, n2, few[j][2] / pieces, det, out, grad);
+                shi_within_node(bands, p, n2, rule[2] / pieces, det, out, grad);
             }
         }
     }
@@ -5381,6 +5363,17 @@ SHI_INLINE int SHI_FN(shi_polygon_check)(int bands, int sides, const SHI_T *poin
     if (count < 3) return SH_ERROR_VERTICES;
     if (!SHI_FN(shi_finite)(point, 3) || !SHI_FN(shi_finite)(vertices, 3 * count)) return SH_ERROR_NOT_FINITE;
     return SH_OK;
+}
+
+/* coeffs[N] is required; it and grad[3][N], or NULL, are apart from each other and from what is read */
+SHI_INLINE int SHI_FN(shi_polygon_outputs)(int bands, const SHI_T *point, size_t count, const SHI_T *vertices,
+                                           const SHI_T *coeffs, const SHI_T *grad)
+{
+    const size_t size = (size_t)bands * (size_t)bands * sizeof *coeffs, read = 3 * count * sizeof *vertices;
+    if (!coeffs) return SH_ERROR_NULL;
+    return shi_overlap(coeffs, size, vertices, read) || shi_overlap(coeffs, size, point, 3 * sizeof *point)
+        || shi_overlap(grad, 3 * size, vertices, read) || shi_overlap(grad, 3 * size, point, 3 * sizeof *point)
+        || shi_overlap(grad, 3 * size, coeffs, size) ? SH_ERROR_OVERLAP : SH_OK;
 }
 
 /* to T; beyond its range, its largest number */
@@ -5420,13 +5413,8 @@ SH_API int SHI_FN(sh_polygon)(int bands, int sides, const SHI_T point[3], size_t
     double p[3], c[SH_MAX_POLYGON_BANDS * SH_MAX_POLYGON_BANDS],
         g[3 * SH_MAX_POLYGON_BANDS * SH_MAX_POLYGON_BANDS];
     int k, status = SHI_FN(shi_polygon_check)(bands, sides, point, count, vertices);
+    if (!status) status = SHI_FN(shi_polygon_outputs)(bands, point, count, vertices, coeffs, grad);
     if (status) return status;
-    if (!coeffs) return SH_ERROR_NULL;
-    if (shi_overlap(coeffs, size * sizeof *coeffs, vertices, 3 * count * sizeof *vertices)
-        || shi_overlap(coeffs, size * sizeof *coeffs, point, 3 * sizeof *point)
-        || shi_overlap(grad, 3 * size * sizeof *grad, vertices, 3 * count * sizeof *vertices)
-        || shi_overlap(grad, 3 * size * sizeof *grad, point, 3 * sizeof *point)
-        || shi_overlap(grad, 3 * size * sizeof *grad, coeffs, size * sizeof *coeffs)) return SH_ERROR_OVERLAP;
     for (k = 0; k < 3; k++) p[k] = (double)point[k];
     status = shi_polygon_engine(bands, sides, SHI_BITS == 64, p, count, vertices, SHI_BITS == 32, c,
                                 grad ? g : NULL, NULL);
@@ -5508,13 +5496,14 @@ SH_API int SHI_FN(sh_triangle_as_sphere)(int bands, int sides, const SHI_T point
  * fan, one node per triangle, four smaller triangles with a node each, a 7-point rule, four smaller triangles
  * with that, or sh_polygon.
  *
- *   tolerance  >= 0, on the Euclidean norm of the error of all coefficients of the unit-radiance light:
+ *   bands, sides, point, vertices as sh_polygon
+ *   tolerance  >= 0 (else SH_ERROR_OPTION), on the Euclidean norm of the error of all coefficients of the unit-radiance light:
  *              multiply by the radiance to have it in its unit; 0 always takes sh_polygon
  *   error      NULL, or the bound of the way taken; 0 when that is exact
  *   used       NULL, or SH_USED_SPHERE, SH_USED_CUBATURE, SH_USED_SUBDIVISION, SH_USED_EXACT
  *
  * Guarantees |coeffs - exact| <= error <= tolerance (or the bound of sh_polygon), plus 64 eps of the light's
- * own norm; not the gradient, which is that of what was taken. The bounds are proven, not estimated, and
+ * own norm. The gradient is that of the representation taken, and has no such bound. The bounds are proven, not estimated, and
  * therefore on the safe side:
  * Taylor and Cauchy remainders with the suprema of each band (docs/polygons.md). */
 SH_API int SHI_FN(sh_polygon_within)(int bands, int sides, SHI_T tolerance, const SHI_T point[3],
@@ -5525,8 +5514,8 @@ SH_API int SHI_FN(sh_polygon_within)(int bands, int sides, SHI_T tolerance, cons
     double p[3], c[SH_MAX_POLYGON_BANDS * SH_MAX_POLYGON_BANDS],
         g[3 * SH_MAX_POLYGON_BANDS * SH_MAX_POLYGON_BANDS], e;
     int k, status = SHI_FN(shi_polygon_check)(bands, sides, point, count, vertices);
+    if (!status) status = SHI_FN(shi_polygon_outputs)(bands, point, count, vertices, coeffs, grad);
     if (status) return status;
-    if (!coeffs) return SH_ERROR_NULL;
     if (!SHI_FN(shi_finite)(&tolerance, 1) || tolerance < 0) return SH_ERROR_OPTION;
     for (k = 0; k < 3; k++) p[k] = (double)point[k];
     status = shi_within_engine(bands, sides, SHI_BITS == 64, (double)tolerance, p, count, vertices,
@@ -5591,13 +5580,7 @@ SHI_INLINE int SHI_FN(shi_polygons_with)(int n, int planes, int channels, int si
         SHI_MANY(shi_vector) xv[3];
         int valid = 1, good[SHI_MANY(shi_polygon_lanes)];
         if (grid) {
-            for (i = 0; i < used; i++) {
-                const size_t nx = (size_t)grid->count[0], ny = (size_t)grid->count[1],
-                             node = first + p + (size_t)i;
-                x[3 * i] = grid->origin[0] + (SHI_T)(node % nx) * grid->cell[0];
-                x[3 * i + 1] = grid->origin[1] + (SHI_T)(node / nx % ny) * grid->cell[1];
-                x[3 * i + 2] = grid->origin[2] + (SHI_T)(node / nx / ny) * grid->cell[2];
-            }
+            for (i = 0; i < used; i++) SHI_FN(shi_grid_node)(grid, first + p + (size_t)i, x + 3 * i);
         } else {
             memcpy(x, point + 3 * p, (size_t)(3 * used) * sizeof *x);
         }

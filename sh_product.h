@@ -1700,7 +1700,7 @@ SH_API int SHI_FN(sh_cosine_product_local_blocks)(int bands, size_t blocks, cons
 }
 
 /* The same about any normal, one per vector: [3], [count][3] or [blocks][3][SH_BLOCK], of any length from
- * 1e-18 to 1e18. A zero normal is SH_ERROR_DIRECTION, NaN or Inf in one SH_ERROR_NOT_FINITE: its output is
+ * 1e-18 to 1e18, apart from out. A zero normal is SH_ERROR_DIRECTION, NaN or Inf in one SH_ERROR_NOT_FINITE: its output is
  * left alone, the others are written. Turns the normal to +z, multiplies, turns back: with MP21's "zxzx"
  * rotation cut to two angles. Error as above. */
 SH_API int SHI_FN(sh_cosine_product_n)(int bands, size_t count, const SHI_T *normals, const SHI_T *coeffs,
@@ -1709,6 +1709,8 @@ SH_API int SHI_FN(sh_cosine_product_n)(int bands, size_t count, const SHI_T *nor
     const int status = SHI_FN(shi_vectors)(bands, SH_PRODUCT_BANDS, count, coeffs, out);
     if (status) return status;
     if (count && !normals) return SH_ERROR_NULL;
+    if (shi_overlap(normals, 3 * count * sizeof *out, out, count * (size_t)(bands * bands) * sizeof *out))
+        return SH_ERROR_OVERLAP;
     return SHI_MANY(shi_prod_cosine_all)(bands, 1, SHI_FN(shi_swap), SHI_FN(shi_clamp), count, normals,
                                          coeffs, out);
 }
@@ -1725,6 +1727,8 @@ SH_API int SHI_FN(sh_cosine_product_blocks)(int bands, size_t blocks, const SHI_
     const int status = SHI_FN(shi_vectors)(bands, SH_PRODUCT_BANDS, count, coeffs, out);
     if (status) return status;
     if (count && !normals) return SH_ERROR_NULL;
+    if (shi_overlap(normals, 3 * count * sizeof *out, out, count * (size_t)(bands * bands) * sizeof *out))
+        return SH_ERROR_OVERLAP;
     return SHI_MANY(shi_prod_cosine_all)(bands, 0, SHI_FN(shi_swap), SHI_FN(shi_clamp), count, normals,
                                          coeffs, out);
 }

@@ -606,6 +606,8 @@ static void F(refusals)(void **state)
     assert_int_equal(F(sh_cosine_product)(3, NULL, a, out), SH_ERROR_NULL);
     assert_int_equal(F(sh_cosine_product)(17, normal, a, out), SH_ERROR_BANDS);
     assert_int_equal(F(sh_cosine_product)(3, normal, a, a + 1), SH_ERROR_OVERLAP);
+    assert_int_equal(F(sh_cosine_product)(3, out + 8, a, out), SH_ERROR_OVERLAP);
+    assert_int_equal(F(sh_cosine_product_blocks)(3, 1, out + 71, a, out), SH_ERROR_OVERLAP);
     assert_int_equal(F(sh_cosine_product_local)(3, a, NULL), SH_ERROR_NULL);
     assert_int_equal(F(sh_mirror)(3, 3, 1, a, out), SH_ERROR_OPTION);
     assert_int_equal(F(sh_convolve)(3, NULL, a, out), SH_ERROR_NULL);
