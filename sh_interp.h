@@ -703,14 +703,14 @@ SHI_NOINLINE int SHI_FN(shi_samples)(int bands, int planes, int channels, SHI_T 
 /* Inverse-distance blend of the Taylor series of scattered samples: sum of w_j (f_j + g_j . d_j + ...), d_j = point -
  * sample j, w_j proportional to 1/|d_j|^power.
  *   planes    SH_VALUES, SH_GRADIENT, SH_HESSIAN: the samples' series are of order 0, 1 (A04), 2
- *   power     in (0, 64], A04's b: 2 is the usual one; above 1 the blend has the samples' gradients at the samples
+ *   power     in (0, 64] (else SH_ERROR_OPTION), A04's b: 2 is the usual one; above 1 the blend has the samples' gradients at the samples
  *   count     >= 1
- *   samples   [count][3], each coordinate within 1e18 of the point's
+ *   samples   [count][3], each coordinate within 1e18 of the point's (else SH_ERROR_NOT_FINITE)
  *   blocks    [count][channels][planes][N]
  *   coeffs    [channels][N], overlapping no input
  * At a sample the blend is that sample, to the bit (Eq. 16 is 0/0 there); samples in one place share its weight.
  * Polynomials of the samples' order are reproduced. Cost: count * planes reads of N numbers, so choose few.
- * Error:  <= 64 eps on data of size 1 within 3 of the point.
+ * Error:  <= 16 eps of the largest |f_j| + |g_j| |d_j| + |H_j| |d_j|^2/2, 2-norms.
  * Source: A04 Eq. 14-16. */
 SH_API int SHI_FN(sh_samples_blend)(int bands, int planes, int channels, SHI_T power, size_t count,
                                     const SHI_T *samples, const SHI_T *blocks, const SHI_T point[3], SHI_T *coeffs)
@@ -721,6 +721,7 @@ SH_API int SHI_FN(sh_samples_blend)(int bands, int planes, int channels, SHI_T p
 /* The Taylor series of one sample, at a point: a blend of one. Its error grows as (|d| / distance of the nearest
  * light)^(order + 1).
  *   sample[3], block[channels][planes][N], coeffs[channels][N]
+ * Error:  of rounding, as sh_samples_blend.
  * Source: A04 Eq. 4 and 14, with Hessians the next order. */
 SH_API int SHI_FN(sh_sample_taylor)(int bands, int planes, int channels, const SHI_T sample[3], const SHI_T *block,
                                     const SHI_T point[3], SHI_T *coeffs)

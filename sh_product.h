@@ -1466,8 +1466,8 @@ SHI_INLINE int SHI_FN(shi_rotation)(const double m[9], SHI_FN(sh_rotation) *r)
     return SH_OK;
 }
 
-/* Set up from a row-major matrix that takes old directions to new ones, u' = m u.
- * A mirrored matrix, or one not orthonormal within sqrt(eps), is SH_ERROR_MATRIX. */
+/* Set up r from a row-major matrix that takes old directions to new ones, u' = m u: a few eps per angle, which sh_rotate's
+ * bound includes. A mirrored matrix, or one not orthonormal within sqrt(eps), is SH_ERROR_MATRIX. */
 SH_API int SHI_FN(sh_rotation_matrix)(const SHI_T m[9], SHI_FN(sh_rotation) *r)
 {
     double d[9];
@@ -1497,7 +1497,7 @@ SH_API int SHI_FN(sh_rotation_quaternion)(const SHI_T q[4], SHI_FN(sh_rotation) 
     return SHI_FN(shi_rotation)(d, r);
 }
 
-/* The rotation back; the two may be the same object. */
+/* The rotation back, exact; the two may be the same object. */
 SH_API int SHI_FN(sh_rotation_inverse)(const SHI_FN(sh_rotation) *r, SHI_FN(sh_rotation) *inverse)
 {
     int i, k;
@@ -1527,8 +1527,8 @@ SHI_INLINE int SHI_FN(shi_vectors)(int bands, int most, size_t count, const SHI_
  *
  *   in, out   [count][bands^2], the same array or apart
  *
- * Error   16 eps |in| to 6 bands, 40 eps to 16, for an orthonormal matrix.
- * Source  KSS02, with the exchange S of y and z in the place of the turn by 90 degrees: Ry(b) = S Rz(-b) S,
+ * Error:  16 eps |in| to 6 bands, 40 eps to 16, for an orthonormal matrix.
+ * Source: KSS02, with the exchange S of y and z in the place of the turn by 90 degrees: Ry(b) = S Rz(-b) S,
  *         one symmetric table, and no transposed code. */
 SH_API int SHI_FN(sh_rotate)(int bands, const SHI_FN(sh_rotation) *r, size_t count, const SHI_T *in,
                              SHI_T *out)
@@ -1645,7 +1645,7 @@ SHI_INLINE int SHI_FN(shi_products)(int na, int nb, int n, size_t count, const S
  * bands. out may be a or b (same bands) or is apart from both. Error 16 eps |a| |b| to 6 bands, 40 eps to
  * 16.
  *
- * Source  MP21 Eq. 5, summed over a grid on which it is exact: Gauss nodes in z and Fourier series in
+ * Source: MP21 Eq. 5, summed over a grid on which it is exact: Gauss nodes in z and Fourier series in
  *         azimuth, O(bands^3) against O(bands^5) of the table of real Gaunt coefficients, and no table. */
 SH_API int SHI_FN(sh_triple_product_bands)(int bands_a, const SHI_T *a, int bands_b, const SHI_T *b,
                                            int bands_out, SHI_T *out)
@@ -1653,13 +1653,13 @@ SH_API int SHI_FN(sh_triple_product_bands)(int bands_a, const SHI_T *a, int band
     return SHI_FN(shi_products)(bands_a, bands_b, bands_out, 1, a, b, out);
 }
 
-/* out = a times b, all with the same bands. */
+/* out = a times b, all with the same bands 1..16; the rest as sh_triple_product_bands. */
 SH_API int SHI_FN(sh_triple_product)(int bands, const SHI_T *a, const SHI_T *b, SHI_T *out)
 {
     return SHI_FN(shi_products)(bands, bands, bands, 1, a, b, out);
 }
 
-/* a, b, out [count][bands^2] */
+/* The same, count times: a, b, out [count][bands^2]. */
 SH_API int SHI_FN(sh_triple_product_n)(int bands, size_t count, const SHI_T *a, const SHI_T *b, SHI_T *out)
 {
     return SHI_FN(shi_products)(bands, bands, bands, count, a, b, out);
@@ -1670,7 +1670,8 @@ SH_API int SHI_FN(sh_triple_product_n)(int bands, size_t count, const SHI_T *a, 
  *
  *   coeffs, out   [bands^2], or count of them, or [blocks][bands^2][SH_BLOCK]; the same array or apart
  *
- * Error   16 eps |coeffs| to 6 bands, 40 eps to 16. Source: MP21 Eq. 11. */
+ * Error:  16 eps |coeffs| to 6 bands, 40 eps to 16.
+ * Source: MP21 Eq. 11. */
 SH_API int SHI_FN(sh_cosine_product_local_n)(int bands, size_t count, const SHI_T *coeffs, SHI_T *out)
 {
     const int status = SHI_FN(shi_vectors)(bands, SH_PRODUCT_BANDS, count, coeffs, out);
