@@ -936,6 +936,16 @@ SHI_KERNEL SHI_V SHI_KN(shi_load_pieces)(const SHI_T *p, int step)
 #endif
 #undef SHI_AT_PIECE
 }
+/* a piece of 16 bytes to each p + i step */
+SHI_KERNEL void SHI_KN(shi_store_pieces)(SHI_T *p, int step, SHI_V v)
+{
+    __extension__ typedef SHI_T piece __attribute__((__vector_size__(16)));
+    piece t[SHI_BYTES / 16];
+    int i;
+    memcpy(t, &v, sizeof v);
+    SHI_UNROLL
+    for (i = 0; i < SHI_BYTES / 16; i++) memcpy(p + i * step, &t[i], sizeof t[i]);
+}
 #endif
 
 /* W vectors from the first `lanes` of W triples; the last one again past the end */
@@ -978,6 +988,48 @@ SHI_KERNEL void SHI_KN(shi_load3)(const SHI_T *p, int lanes, SHI_V v[3])
         v[2][i] = p[3 * i + 2];
     }
 #endif
+#endif
+}
+
+/* v[3] to W triples */
+SHI_KERNEL void SHI_KN(shi_store3)(SHI_T *p, const SHI_V v[3])
+{
+#if defined(SHI_PIECE) && SHI_BYTES == 64               /* number n = r W + i: x or y of its triple, then z where it is */
+#define SHI_XY(r, i) (((r) * SHI_W + (i)) / 3 + (((r) * SHI_W + (i)) % 3 == 1 ? SHI_W : 0))
+#define SHI_AND_Z(r, i) (((r) * SHI_W + (i)) % 3 == 2 ? SHI_W + ((r) * SHI_W + (i)) / 3 : (i))
+#define SHI_8(f, r, i) f(r, i), f(r, (i) + 1), f(r, (i) + 2), f(r, (i) + 3), f(r, (i) + 4), f(r, (i) + 5), f(r, (i) + 6), f(r, (i) + 7)
+#if SHI_LANES == 16
+#define SHI_EACH(f, r) SHI_8(f, r, 0), SHI_8(f, r, 8)
+#else
+#define SHI_EACH(f, r) SHI_8(f, r, 0)
+#endif
+#define SHI_TRIPLES(r) \
+    SHI_STORE(p + (r) * SHI_W, __builtin_shufflevector(__builtin_shufflevector(v[0], v[1], SHI_EACH(SHI_XY, r)), v[2], \
+                                                       SHI_EACH(SHI_AND_Z, r)))
+    SHI_TRIPLES(0);
+    SHI_TRIPLES(1);
+    SHI_TRIPLES(2);
+#undef SHI_TRIPLES
+#undef SHI_EACH
+#undef SHI_8
+#undef SHI_AND_Z
+#undef SHI_XY
+#elif defined(SHI_PIECE) && SHI_BITS == 32
+    const SHI_V a = SHI_IN_PIECES(v[0], v[1], 0, 2, 4, 6), b = SHI_IN_PIECES(v[1], v[2], 1, 3, 5, 7);
+    const SHI_V c = SHI_IN_PIECES(v[2], v[0], 0, 2, 5, 7);
+    SHI_KN(shi_store_pieces)(p, 3 * SHI_PIECE, SHI_IN_PIECES(a, c, 0, 2, 4, 6));
+    SHI_KN(shi_store_pieces)(p + SHI_PIECE, 3 * SHI_PIECE, SHI_IN_PIECES(b, a, 0, 2, 5, 7));
+    SHI_KN(shi_store_pieces)(p + 2 * SHI_PIECE, 3 * SHI_PIECE, SHI_IN_PIECES(c, b, 1, 3, 5, 7));
+#elif defined(SHI_PIECE)
+    SHI_KN(shi_store_pieces)(p, 3 * SHI_PIECE, SHI_IN_PIECES(v[0], v[1], 0, 2));
+    SHI_KN(shi_store_pieces)(p + SHI_PIECE, 3 * SHI_PIECE, SHI_IN_PIECES(v[2], v[0], 0, 3));
+    SHI_KN(shi_store_pieces)(p + 2 * SHI_PIECE, 3 * SHI_PIECE, SHI_IN_PIECES(v[1], v[2], 1, 3));
+#else
+    SHI_T t[3][SHI_W];
+    int i, k;
+    for (k = 0; k < 3; k++) SHI_STORE(t[k], v[k]);
+    for (i = 0; i < SHI_W; i++)
+        for (k = 0; k < 3; k++) p[3 * i + k] = t[k][i];
 #endif
 }
 
@@ -1442,21 +1494,24 @@ SHI_KERNEL int SHI_KN(shi_sums)(int n, int horner, int with_grad, const SHI_T *a
     for (p = 0; p < count; p += SHI_W) {
         const int lanes = count - p < SHI_W ? (int)(count - p) : SHI_W;
         SHI_KN(shi_sum_of) sum;
+        SHI_V gradient[3];
         now = next;
         if (count - p > SHI_W) SHI_KN(shi_direct_plain)(dirs + 3 * (p + SHI_W), count - p - SHI_W, &next);
         for (k = 0; k < 2; k++) sum.value[k] = sum.by_z[k] = sum.by_w[k] = SHI_SPLAT(0);
         if (horner) SHI_KN(shi_sum_horner)(n, with_grad, a, now.u, &sum);
         else SHI_KN(shi_sum_clenshaw)(n, with_grad, a, now.u, &sum);
-        if (now.good && lanes == SHI_W && !with_grad) {
-            SHI_STORE(values + p, sum.value[0]);
+        if (with_grad) {
+            const SHI_V f[3] = { sum.by_w[0], sum.by_w[1], sum.by_z[0] };
+            const SHI_V radial = SHI_FMA(now.u[0], f[0], SHI_FMA(now.u[1], f[1], now.u[2] * f[2]));
+            for (k = 0; k < 3; k++) gradient[k] = now.inverse * (f[k] - radial * now.u[k]);
+        }
+        if (now.good && lanes == SHI_W) {
+            if (values) SHI_STORE(values + p, sum.value[0]);
+            if (with_grad) SHI_KN(shi_store3)(grads + 3 * p, gradient);
         } else {
             SHI_T out[4][SHI_W];
             SHI_STORE(out[0], sum.value[0]);
-            if (with_grad) {
-                const SHI_V f[3] = { sum.by_w[0], sum.by_w[1], sum.by_z[0] };
-                const SHI_V radial = SHI_FMA(now.u[0], f[0], SHI_FMA(now.u[1], f[1], now.u[2] * f[2]));
-                for (k = 0; k < 3; k++) SHI_STORE(out[k + 1], now.inverse * (f[k] - radial * now.u[k]));
-            }
+            for (k = 0; k < 3 && with_grad; k++) SHI_STORE(out[k + 1], gradient[k]);
             for (i = 0; i < lanes; i++) {
                 const SHI_T *const d = dirs + 3 * (p + (size_t)i);
                 if (!now.good && !SHI_ONE(shi_in_range)(d[0] * d[0] + d[1] * d[1] + d[2] * d[2], SHI_MIN2, SHI_MAX2)) {
