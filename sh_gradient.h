@@ -1228,17 +1228,34 @@ SHI_NOINLINE int SHI_KN(shi_plain)(int n, int planes, size_t count, const SHI_T 
     return status;
 }
 
-/* theta[count], phi[count] to y, dt, dp [count][N]; stage holds W items */
-SHI_NOINLINE int SHI_KN(shi_angles)(int n, size_t count, const SHI_T *theta, const SHI_T *phi, SHI_T *y, SHI_T *dt, SHI_T *dp)
+/* a[4][W]: cosine and sine of theta, of phi; y, dt, dp [N][W] */
+SHI_KERNEL int SHI_KN(shi_angles_body_fixed)(int n, const SHI_T *a, SHI_T *y, SHI_T *dt, SHI_T *dp)
+{
+    SHI_KN(shi_angles_fixed)(n, SHI_LOAD(a), SHI_LOAD(a + SHI_W), SHI_LOAD(a + 2 * SHI_W), SHI_LOAD(a + 3 * SHI_W), y, dt, dp);
+    return SH_OK;
+}
+SHI_KERNEL int SHI_KN(shi_angles_body_any)(int n, const SHI_T *a, SHI_T *y, SHI_T *dt, SHI_T *dp)
+{
+    SHI_KN(shi_angles_any)(n, SHI_LOAD(a), SHI_LOAD(a + SHI_W), SHI_LOAD(a + 2 * SHI_W), SHI_LOAD(a + 3 * SHI_W), y, dt, dp);
+    return SH_OK;
+}
+SHI_NOINLINE int SHI_KN(shi_angles_body)(int n, const SHI_T *a, SHI_T *y, SHI_T *dt, SHI_T *dp)
+{
+    SHI_BANDS(n, SHI_KN(shi_angles_body_fixed), SHI_KN(shi_angles_body_any), a, y, dt, dp)
+}
+
+/* theta[count], phi[count] to y, dt, dp [count][N] or NULL; stage[3][N][W] */
+SHI_INLINE int SHI_KN(shi_angles_with)(int n, size_t count, const SHI_T *theta, const SHI_T *phi, SHI_T *y, SHI_T *dt, SHI_T *dp,
+                                       SHI_T *stage)
 {
     const int size = n * n;
     const size_t step = (size_t)size;
-    SHI_T stage[SHI_STAGE / sizeof(SHI_T)], *const tb = stage + size * SHI_W, *const pb = tb + size * SHI_W;
-    int status = SH_OK, i;
+    SHI_T *const out[3] = { y, dt, dp };
+    int status = SH_OK, i, k;
     size_t p;
     for (p = 0; p < count; p += SHI_W) {
         const int lanes = count - p < SHI_W ? (int)(count - p) : SHI_W;
-        SHI_T a[4][SHI_W];
+        SHI_T a[4][SHI_W], *to[3];
         int good = 1;
         for (i = 0; i < SHI_W && good; i++) {
             const size_t at = p + (size_t)(i < lanes ? i : lanes - 1);
@@ -1250,22 +1267,35 @@ SHI_NOINLINE int SHI_KN(shi_angles)(int n, size_t count, const SHI_T *theta, con
             a[3][i] = SHI_LIBM(sin)(phi[at]);
         }
         if (good) {
-            SHI_KN(shi_angles_any)(n, SHI_LOAD(a[0]), SHI_LOAD(a[1]), SHI_LOAD(a[2]), SHI_LOAD(a[3]), stage, tb, pb, SHI_W);
-            if (y) SHI_KN(shi_transpose_block)(stage, SHI_W, size, y + p * step, step, lanes);
-            if (dt) SHI_KN(shi_transpose_block)(tb, SHI_W, size, dt + p * step, step, lanes);
-            if (dp) SHI_KN(shi_transpose_block)(pb, SHI_W, size, dp + p * step, step, lanes);
-        } else if (SHI_W == 1) {
-            status = SH_ERROR_NOT_FINITE;
+            for (k = 0; k < 3; k++) to[k] = SHI_W == 1 && out[k] ? out[k] + p * step : stage + k * size * SHI_W;
+            SHI_KN(shi_angles_body)(n, a[0], to[0], to[1], to[2]);
+            for (k = 0; k < 3 && SHI_W > 1; k++)
+                if (out[k]) SHI_KN(shi_transpose_block)(to[k], SHI_W, size, out[k] + p * step, step, lanes);
         } else {
+#if SHI_LANES == 1
+            status = SH_ERROR_NOT_FINITE;
+#else
             for (i = 0; i < lanes; i++) {
                 const size_t at = p + (size_t)i;
                 const int bad = SHI_ONE(shi_angles)(n, 1, theta + at, phi + at, y ? y + at * step : NULL,
                                                     dt ? dt + at * step : NULL, dp ? dp + at * step : NULL);
                 status = bad ? bad : status;
             }
+#endif
         }
     }
     return status;
+}
+SHI_NOINLINE int SHI_KN(shi_angles)(int n, size_t count, const SHI_T *theta, const SHI_T *phi, SHI_T *y, SHI_T *dt, SHI_T *dp)
+{
+    SHI_T stage[SHI_STAGE / sizeof(SHI_T)];
+    return SHI_KN(shi_angles_with)(n, count, theta, phi, y, dt, dp, stage);
+}
+SHI_NOINLINE int SHI_KN(shi_angles_beyond)(int n, size_t count, const SHI_T *theta, const SHI_T *phi, SHI_T *y, SHI_T *dt,
+                                           SHI_T *dp)
+{
+    SHI_T stage[3 * SH_MAX_BANDS * SH_MAX_BANDS * SHI_W];
+    return SHI_KN(shi_angles_with)(n, count, theta, phi, y, dt, dp, stage);
 }
 
 /* one direction by the looped bodies: a function of its own, so that the unrolled ones do not pay for its stack frame */
@@ -2418,7 +2448,7 @@ SHI_KERNEL int SHI_BN(shi_blocks)(int n, int planes, size_t blocks, const SHI_T 
 
 /* y, dtheta, dphi [N] from cosine and sine of theta and phi (M22 Eq. 31-33: X and Z share the norm, which is applied
  * last) */
-SHI_KERNEL void SHI_BN(shi_angles)(int n, SHI_V ct, SHI_V st, SHI_V cp, SHI_V sp, SHI_T *y, SHI_T *dt, SHI_T *dp, int stride)
+SHI_KERNEL void SHI_BN(shi_angles)(int n, SHI_V ct, SHI_V st, SHI_V cp, SHI_V sp, SHI_T *y, SHI_T *dt, SHI_T *dp)
 {
     const SHI_V x = -(st * cp), v = -(st * sp);
     const SHI_V fall = (st * st) / (SHI_C(1) + SHI_ABS(ct));    /* 1 - |cos|: values as in shi_column beyond 10 bands */
@@ -2453,17 +2483,17 @@ SHI_KERNEL void SHI_BN(shi_angles)(int n, SHI_V ct, SHI_V st, SHI_V cp, SHI_V sp
             q = SHI_FN(shi_pole)[SHI_ROWS(l, m)] * ((l - m) & 1 ? side * p : p);
             t = norm * t1;
             if (m == 0) {
-                SHI_STORE(y + at * stride, q);
-                SHI_STORE(dt + at * stride, t);
-                SHI_STORE(dp + at * stride, SHI_SPLAT(0));
+                SHI_STORE(y + at * SHI_W, q);
+                SHI_STORE(dt + at * SHI_W, t);
+                SHI_STORE(dp + at * SHI_W, SHI_SPLAT(0));
             } else {
                 const SHI_V w = SHI_C(m) * (ct * q), yc = q * c, s_ = q * s;
-                SHI_STORE(y + (at + m) * stride, yc);
-                SHI_STORE(y + (at - m) * stride, s_);
-                SHI_STORE(dt + (at + m) * stride, SHI_FMA(w, c1, t * c));
-                SHI_STORE(dt + (at - m) * stride, SHI_FMA(w, s1, t * s));
-                SHI_STORE(dp + (at + m) * stride, SHI_C(-m) * s_);
-                SHI_STORE(dp + (at - m) * stride, SHI_C(m) * yc);
+                SHI_STORE(y + (at + m) * SHI_W, yc);
+                SHI_STORE(y + (at - m) * SHI_W, s_);
+                SHI_STORE(dt + (at + m) * SHI_W, SHI_FMA(w, c1, t * c));
+                SHI_STORE(dt + (at - m) * SHI_W, SHI_FMA(w, s1, t * s));
+                SHI_STORE(dp + (at + m) * SHI_W, SHI_C(-m) * s_);
+                SHI_STORE(dp + (at - m) * SHI_W, SHI_C(m) * yc);
             }
         }
     }
@@ -3084,7 +3114,7 @@ SH_API int SHI_FN(sh_eval_angles_n)(int bands, size_t count, const SHI_T *theta,
         || shi_overlap(phi, in, y, out) || shi_overlap(phi, in, dtheta, out) || shi_overlap(phi, in, dphi, out)
         || shi_overlap(y, out, dtheta, out) || shi_overlap(y, out, dphi, out) || shi_overlap(dtheta, out, dphi, out))
         return SH_ERROR_OVERLAP;
-    return size * 3 * SH_VECTOR_BYTES > SHI_STAGE ? SHI_ONE(shi_angles)(bands, count, theta, phi, y, dtheta, dphi)
+    return size * 3 * SH_VECTOR_BYTES > SHI_STAGE ? SHI_MANY(shi_angles_beyond)(bands, count, theta, phi, y, dtheta, dphi)
                                                   : SHI_MANY(shi_angles)(bands, count, theta, phi, y, dtheta, dphi);
 }
 
