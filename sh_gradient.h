@@ -168,7 +168,8 @@ enum {
 #  endif
 #endif
 
-#define SHI_STAGE 32768                                 /* bytes of stack a plain batch may use */
+#define SHI_STAGE 32768                                 /* bytes of stack that plain batches stage their blocks in ... */
+#define SHI_BIG_STAGE 131072                            /* ... and that those of many bands may take */
 #define SHI_POOL 720                                    /* vectors on the stack: weights of a block of lights ... */
 #define SHI_SUMS 992                                    /* ... running sums ... */
 #define SHI_LIGHTS_AT_ONCE 11                           /* ... and most vectors in a block: at 16 rows would evict each other */
@@ -1191,10 +1192,11 @@ SHI_NOINLINE int SHI_KN(shi_blocks_hessian)(int n, size_t blocks, const SHI_T *d
 }
 
 /* plain layout: up to 8 blocks on the stack, transposed; stage holds at least one block of all planes */
-SHI_NOINLINE int SHI_KN(shi_plain)(int n, int planes, size_t count, const SHI_T *dirs, SHI_T *y, SHI_T *g, SHI_T *h)
+SHI_KERNEL int SHI_KN(shi_plain_with)(int n, int planes, size_t count, const SHI_T *dirs, SHI_T *y, SHI_T *g, SHI_T *h,
+                                      SHI_T *stage)
 {
     const size_t size = (size_t)(n * n), block = size * SH_BLOCK;
-    SHI_T stage[SHI_STAGE / sizeof(SHI_T)], v[8][3][SH_BLOCK];
+    SHI_T v[8][3][SH_BLOCK];
     const size_t fit = SHI_STAGE / 4 / (block * (size_t)planes * sizeof(SHI_T)), most = fit < 1 ? 1 : fit < 8 ? fit : 8;
     SHI_T *const gb = stage + most * block, *const hb = gb + 3 * most * block;
     int status = SH_OK, i, k, bad;
@@ -1228,6 +1230,17 @@ SHI_NOINLINE int SHI_KN(shi_plain)(int n, int planes, size_t count, const SHI_T 
     return status;
 }
 
+SHI_NOINLINE int SHI_KN(shi_plain)(int n, int planes, size_t count, const SHI_T *dirs, SHI_T *y, SHI_T *g, SHI_T *h)
+{
+    SHI_T stage[SHI_STAGE / sizeof(SHI_T)];
+    return SHI_KN(shi_plain_with)(n, planes, count, dirs, y, g, h, stage);
+}
+SHI_NOINLINE int SHI_KN(shi_plain_big)(int n, int planes, size_t count, const SHI_T *dirs, SHI_T *y, SHI_T *g, SHI_T *h)
+{
+    SHI_T stage[SHI_BIG_STAGE / sizeof(SHI_T)];
+    return SHI_KN(shi_plain_with)(n, planes, count, dirs, y, g, h, stage);
+}
+
 /* a[4][W]: cosine and sine of theta, of phi; y, dt, dp [N][W] */
 SHI_KERNEL int SHI_KN(shi_angles_body_fixed)(int n, const SHI_T *a, SHI_T *y, SHI_T *dt, SHI_T *dp)
 {
@@ -1245,7 +1258,7 @@ SHI_NOINLINE int SHI_KN(shi_angles_body)(int n, const SHI_T *a, SHI_T *y, SHI_T 
 }
 
 /* theta[count], phi[count] to y, dt, dp [count][N] or NULL; stage[3][N][W] */
-SHI_INLINE int SHI_KN(shi_angles_with)(int n, size_t count, const SHI_T *theta, const SHI_T *phi, SHI_T *y, SHI_T *dt, SHI_T *dp,
+SHI_KERNEL int SHI_KN(shi_angles_with)(int n, size_t count, const SHI_T *theta, const SHI_T *phi, SHI_T *y, SHI_T *dt, SHI_T *dp,
                                        SHI_T *stage)
 {
     const int size = n * n;
@@ -1291,10 +1304,10 @@ SHI_NOINLINE int SHI_KN(shi_angles)(int n, size_t count, const SHI_T *theta, con
     SHI_T stage[SHI_STAGE / sizeof(SHI_T)];
     return SHI_KN(shi_angles_with)(n, count, theta, phi, y, dt, dp, stage);
 }
-SHI_NOINLINE int SHI_KN(shi_angles_beyond)(int n, size_t count, const SHI_T *theta, const SHI_T *phi, SHI_T *y, SHI_T *dt,
-                                           SHI_T *dp)
+SHI_NOINLINE int SHI_KN(shi_angles_big)(int n, size_t count, const SHI_T *theta, const SHI_T *phi, SHI_T *y, SHI_T *dt,
+                                        SHI_T *dp)
 {
-    SHI_T stage[3 * SH_MAX_BANDS * SH_MAX_BANDS * SHI_W];
+    SHI_T stage[SHI_BIG_STAGE / sizeof(SHI_T)];
     return SHI_KN(shi_angles_with)(n, count, theta, phi, y, dt, dp, stage);
 }
 
@@ -2714,13 +2727,16 @@ SHI_NOINLINE int SHI_FN(shi_one_by_one)(int n, int planes, size_t count, const S
     return status;
 }
 
-/* plain layout: through blocks while one fits SHI_STAGE, else one by one */
+/* plain layout: through blocks while one fits a stage and its planes do not meet in the same cache sets, else one by one;
+ * in double that is soon as fast for gradients */
 SHI_NOINLINE int SHI_FN(shi_batch)(int n, int planes, size_t count, const SHI_T *dirs, SHI_T *y, SHI_T *g, SHI_T *h)
 {
     SHI_T discard[SH_BLOCK];
     const int s = n * n;
-    if ((size_t)(s * planes * SH_BLOCK) * sizeof(SHI_T) <= SHI_STAGE)
-        return SHI_MANY(shi_plain)(n, planes, count, dirs, y, g, h);
+    const size_t plane = (size_t)(s * SH_BLOCK) * sizeof(SHI_T);
+    const size_t most = SHI_BITS == 64 && planes == SH_GRADIENT ? SHI_BIG_STAGE / 2 : SHI_BIG_STAGE;
+    if (plane * (size_t)planes <= SHI_STAGE) return SHI_MANY(shi_plain)(n, planes, count, dirs, y, g, h);
+    if (plane * (size_t)planes <= most && plane % 16384) return SHI_MANY(shi_plain_big)(n, planes, count, dirs, y, g, h);
     return SHI_FN(shi_one_by_one)(n, planes, count, dirs, 1, 3, y ? y : discard, y != NULL, y ? s : 0,
                                   g ? g : discard, g != NULL, g ? 3 * s : 0, h ? h : discard, h != NULL, h ? 6 * s : 0);
 }
@@ -3114,7 +3130,7 @@ SH_API int SHI_FN(sh_eval_angles_n)(int bands, size_t count, const SHI_T *theta,
         || shi_overlap(phi, in, y, out) || shi_overlap(phi, in, dtheta, out) || shi_overlap(phi, in, dphi, out)
         || shi_overlap(y, out, dtheta, out) || shi_overlap(y, out, dphi, out) || shi_overlap(dtheta, out, dphi, out))
         return SH_ERROR_OVERLAP;
-    return size * 3 * SH_VECTOR_BYTES > SHI_STAGE ? SHI_MANY(shi_angles_beyond)(bands, count, theta, phi, y, dtheta, dphi)
+    return size * 3 * SH_VECTOR_BYTES > SHI_STAGE ? SHI_MANY(shi_angles_big)(bands, count, theta, phi, y, dtheta, dphi)
                                                   : SHI_MANY(shi_angles)(bands, count, theta, phi, y, dtheta, dphi);
 }
 
