@@ -39,7 +39,8 @@
  *     The widths follow the compiler's target; fused multiply-add needs -ffp-contract=fast (GCC's default in GNU dialects).
  *
  * DOES NOT
- *     denormal or overflowing geometry: lengths from 1e-18 to 1e18 in float (1e-150 .. 1e150 in double)
+ *     denormal or overflowing geometry: lengths from 1e-18 to 1e18 in float (1e-150 .. 1e150 in double); the bounds hold
+ *     for results that are not denormal
  *     bit-identity between instruction sets or compilers; within one build, -ffast-math aside, a batch has the bits of
  *     its single items
  *
@@ -201,6 +202,7 @@ enum {
 #define SHI_KN(name)    SHI_CAT(SHI_CAT(SHI_FN(name), x), SHI_LANES)
 #define SHI_V           SHI_KN(shi_vector)
 #define SHI_M           SHI_KN(shi_mask)
+#define SHI_U           SHI_KN(shi_unsigned)
 #define SHI_D           SHI_KN(shi_doubles)
 #define SHI_SPLAT(s)    SHI_KN(shi_splat)(s)
 #define SHI_LOAD(p)     SHI_KN(shi_load)(p)
@@ -313,6 +315,7 @@ static const signed char shi_order_of[SHI_LINE] = {
 #  define SHI_EPS       1.1920929e-7f
 #  define SHI_MIN2      1e-36f              /* range of a squared length */
 #  define SHI_MAX2      1e37f
+#  define SHI_VAST      1e19f               /* a radius that holds all points in range */
 #  define SHI_NEAR      1e-4f               /* | |v|^2 - 1 | below which one Newton step normalises v */
 #  define SHI_LIBM(name) SHI_CAT(name, f)
 #else
@@ -322,6 +325,7 @@ static const signed char shi_order_of[SHI_LINE] = {
 #  define SHI_EPS       2.220446049250313e-16
 #  define SHI_MIN2      1e-301
 #  define SHI_MAX2      1e301
+#  define SHI_VAST      1e151
 #  define SHI_NEAR      4e-9
 #  define SHI_LIBM(name) name
 #endif
@@ -405,6 +409,7 @@ static const signed char shi_order_of[SHI_LINE] = {
 #undef SHI_EPS
 #undef SHI_MIN2
 #undef SHI_MAX2
+#undef SHI_VAST
 #undef SHI_NEAR
 #undef SHI_LIBM
 #undef SHI_C
@@ -425,6 +430,7 @@ typedef double SHI_D;                                       /* as many lanes of 
 #else
 __extension__ typedef SHI_T SHI_V __attribute__((__vector_size__(SHI_BYTES)));
 __extension__ typedef SHI_I SHI_M __attribute__((__vector_size__(SHI_BYTES)));
+__extension__ typedef unsigned SHI_I SHI_U __attribute__((__vector_size__(SHI_BYTES)));
 __extension__ typedef double SHI_D __attribute__((__vector_size__(8 * SHI_LANES)));
 #endif
 
@@ -824,17 +830,21 @@ SHI_KERNEL SHI_V SHI_KN(shi_gap)(const SHI_V y[3], const SHI_T x[3], SHI_V r)
 #endif
 }
 
-/* lanes of a non-negative number not in [lo, hi]; by bits, so NaN and infinity are out with -ffast-math too */
+/* lanes not in [lo, hi], of positive numbers; by bits, so NaN and infinity are out with -ffast-math too */
 SHI_KERNEL SHI_M SHI_KN(shi_out_of)(SHI_V v, SHI_T lo, SHI_T hi)
 {
+#if SHI_LANES == 1
     SHI_I a, b;
     const SHI_M m = SHI_BITS_OF(v);
     memcpy(&a, &lo, sizeof a);
     memcpy(&b, &hi, sizeof b);
-#if SHI_LANES == 1
     return m < a || m > b;
 #else
-    return (m - a) | (b - m);           /* the sign bit is all that SHI_ANY looks at */
+    unsigned SHI_I a, b;                /* which wrap; the sign bit is all that SHI_ANY looks at */
+    const SHI_U m = (SHI_U)v;
+    memcpy(&a, &lo, sizeof a);
+    memcpy(&b, &hi, sizeof b);
+    return (SHI_M)((m - a) | (b - m));
 #endif
 }
 SHI_KERNEL int SHI_KN(shi_in_range)(SHI_V v, SHI_T lo, SHI_T hi)
@@ -1637,8 +1647,9 @@ SHI_KERNEL SHI_V SHI_KN(shi_light_geometry)(const SHI_T point[3], const SHI_V ce
     SHI_V gap = rough, length = r2, hole = gap, s, i, ig, x, y, z, xy, e, alpha;
     SHI_M inside = SHI_BITS_OF(zero), none = inside;
     if (SHI_RARELY(!plain)) {
-        const SHI_M close = (SHI_M)(rough < SHI_C(0.5) * r2);
+        const SHI_M close = (SHI_M)(rough < SHI_C(0.5) * r2), vast = (SHI_M)(radius > SHI_VAST) & (SHI_M)(r2 < SHI_MAX2);
         if (SHI_ANY(close)) gap = SHI_SELECT(close, SHI_KN(shi_gap)(center, point, radius), rough);
+        gap = SHI_SELECT(vast, -one, gap);              /* its square would overflow */
         inside = (SHI_M)(gap <= zero) & (SHI_M)(radius > zero);
         none = (SHI_M)(radius == zero) | inside;
         hole = SHI_SELECT(none, one, gap);
@@ -2766,25 +2777,27 @@ SHI_INLINE void SHI_FN(shi_cap)(int n, SHI_T s, SHI_T alpha, SHI_T i, SHI_T *f, 
 SHI_NOINLINE int SHI_FN(shi_symmetric)(int n, const SHI_T v[3], const SHI_T *f, const SHI_T *f1, const SHI_T *f2,
                                        SHI_T *c, SHI_T *g, SHI_T *h)
 {
-    SHI_T gradient[3 * SH_MAX_BANDS * SH_MAX_BANDS], u[4], i;
+    SHI_T gradient[3 * SH_MAX_BANDS * SH_MAX_BANDS], u[4], i, near_v[3];
+    const SHI_T up = h && v[0] * v[0] + v[1] * v[1] + v[2] * v[2] < SHI_C(1e-20) ? SHI_C(1152921504606846976.0) : 1;   /* 2^60 */
     const int size = n * n;
     int l, m, k, j, p;
     if (h && !g) g = gradient;
-    if (!(h ? SHI_MANY(shi_single_hessian)(n, v, c, g, h) : g ? SHI_MANY(shi_single_gradient)(n, v, c, g)
-                                                            : SHI_MANY(shi_single_values)(n, v, c)))
+    for (k = 0; k < 3; k++) near_v[k] = up * v[k];              /* the basis' Hessian at v could overflow, f times that not */
+    if (!SHI_ONE(shi_unit)(v, 1, u, &i)
+        || !(h ? SHI_MANY(shi_single_hessian)(n, near_v, c, g, h) : g ? SHI_MANY(shi_single_gradient)(n, v, c, g)
+                                                                  : SHI_MANY(shi_single_values)(n, v, c)))
         return SHI_FN(shi_direction_status)(v);
-    if (!SHI_ONE(shi_unit)(v, 1, u, &i)) return SH_ERROR_DIRECTION;
     for (l = 0; l < n; l++)
         for (m = -l; m <= l; m++) {
             const int at = l * (l + 1) + m;
             const SHI_T y = c[at];
             SHI_T d[3];
-            for (k = 0; k < 3 && g; k++) d[k] = g[k * size + at];
+            for (k = 0; k < 3 && g; k++) d[k] = up * g[k * size + at];
             for (k = 0, p = 0; k < 3 && h; k++)
                 for (j = k; j < 3; j++, p++) {
                     SHI_T *const x = h + p * size + at;
                     *x = f2[l] * y * u[k] * u[j] + f1[l] * (i * y * ((k == j) - u[k] * u[j]) + (u[k] * d[j] + d[k] * u[j]))
-                       + f[l] * *x;
+                       + f[l] * *x * up * up;
                 }
             for (k = 0; k < 3 && g; k++) g[k * size + at] = -(f1[l] * y * u[k] + f[l] * d[k]);
             c[at] = f[l] * y;
@@ -2800,7 +2813,7 @@ SHI_NOINLINE int SHI_FN(shi_sphere)(int n, const SHI_T x[3], const SHI_T y[3], S
     if (!SHI_FN(shi_finite)(x, 3) || !SHI_FN(shi_finite)(y, 3) || !SHI_FN(shi_finite)(&r, 1)) return SH_ERROR_NOT_FINITE;
     if (r < 0) return SH_ERROR_RADIUS;
     for (k = 0; k < 3; k++) v[k] = y[k] - x[k];
-    gap = SHI_ONE(shi_gap)(y, x, r);
+    gap = r > SHI_VAST && v[0] * v[0] + v[1] * v[1] + v[2] * v[2] < SHI_MAX2 ? -1 : SHI_ONE(shi_gap)(y, x, r);
     inside = r > 0 && gap <= 0;
     if (r > 0 && !inside) {
         if (!SHI_ONE(shi_unit)(v, 1, u, &i)) return SH_ERROR_DIRECTION;

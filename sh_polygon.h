@@ -4458,7 +4458,7 @@ SHI_INLINE void SHI_KN(shi_polygon_block)(int n, int planes, int sides, SHI_FN(s
                 a = b;
                 if (!pass || (++fill < most && i + 1 < count)) continue;
                 wide_factor = SHI_SELECT(bad | compact, zero, sign);
-                if (!channels) continue;
+                if (!channels) { fill = 0; continue; }
                 for (l = 0; l < fill * flux; l++) work[l] = zero;
                 for (l = 0; gradient && l < fill * slope; l++) t[l] = zero;
                 for (e = 0; e < fill; e++)
@@ -4560,6 +4560,32 @@ SHI_INLINE void SHI_KN(shi_polygon_block)(int n, int planes, int sides, SHI_FN(s
 
 /* ---- WR18: lanes are zonal lobes ---- */
 
+/* The gradient's integrals mu P_l/|p| along an edge that is seen end-on, by a Gauss rule: K(0) and K(gamma) below would cancel.
+ * Its arc is short, so six nodes are exact to the last digit at 16 bands. */
+SHI_INLINE void SHI_KN(shi_polygon_zonal_short)(int n, SHI_V a, SHI_V b, const SHI_T *edge, const SHI_T *steps, SHI_V *g)
+{
+    static const double rule[3][2] = { { 0.2386191860831969086, 0.4679139345726910473 },
+                                       { 0.6612093864662645137, 0.3607615730481386076 },
+                                       { 0.9324695142031520278, 0.1713244923791703450 } };
+    const SHI_T gamma = edge[9];
+    int j, k, l;
+    for (j = 0; j < 6; j++) {
+        const double x = j & 1 ? -rule[j / 2][0] : rule[j / 2][0], t = 0.5 * (double)gamma * (1 + x);
+        const SHI_T co = (SHI_T)cos(t), si = (SHI_T)sin(t);
+        const SHI_T f = SHI_C(0.5) * gamma * (SHI_T)rule[j / 2][1] * (edge[12] * co + edge[13] * si);
+        const SHI_V z = a * co + b * si;
+        SHI_V p = SHI_SPLAT(0), q = SHI_SPLAT(1);                           /* P_{l-1}, P_l */
+        for (l = 0; l < n; l++) {
+            for (k = 0; k < 3; k++) g[k * n + l] += (edge[6 + k] * f) * q;
+            if (l + 1 < n) {
+                const SHI_V next = steps[5 * (l + 1) + 3] * (z * q) - steps[5 * (l + 1) + 4] * p;
+                p = q;
+                q = next;
+            }
+        }
+    }
+}
+
 /* Adds one edge's integrals about the axes dir: s[l] += c D_l/(l(l+1)), l >= 1, and with g: g[axis][l] += mu
  * G_l (planes of n).
  * edge: w lambda mu (3 each), gamma, cos gamma, sin gamma, k0, k1. steps[l] = { 1/l^2, 1/(l(l+1)), 1/(l+1),
@@ -4577,7 +4603,12 @@ SHI_INLINE void SHI_KN(shi_polygon_zonal_edge)(int n, const SHI_V dir[3], const 
     const SHI_V z0 = a, z1 = a * co + b * si, d0 = b, d1 = b * co - a * si, cc = c * c, kk = k0 * a + k1 * b;
     SHI_V p0 = SHI_SPLAT(0), q0 = SHI_SPLAT(1), p1 = p0, q1 = q0;       /* P_{l-1}, P_l at z0 and z1 */
     SHI_V b0 = p0, b1 = SHI_SPLAT(gamma), e0 = p0, e1 = p0, h0 = p0, h1 = p0, gl = SHI_SPLAT(end1 - end0);
+    const SHI_T far_end = k0 * co + k1 * si, nearer = k0 > far_end ? k0 : far_end;      /* 1/|A|, 1/|B|: the larger */
     int l;
+    if (g && gamma < SHI_C(0.05) && (k1 < 0 ? -k1 : k1) > 50 * nearer) {
+        SHI_KN(shi_polygon_zonal_short)(n, a, b, edge, steps, g);
+        g = NULL;
+    }
     if (g) {
         g[0] += mu[0] * gl;
         g[n] += mu[1] * gl;
@@ -5706,9 +5737,9 @@ SHI_INLINE int SHI_FN(shi_polygons_any)(int n, int planes, int channels, int sid
  * and leaves its own outputs.
  * Error per polygon of radiance 1, with b = (bands+1) 2R/(d-R), R its radius about the mean vertex and d that
  * one's distance:
- *     b < 1.4 (double: 1.8)  64 eps M_l sum |Omega_fan|, gradient 64 eps (M_l |grad Omega| + G_l Omega/d),
- *                            any shape; in double times 1 + 1/(8 sin) at grazing angles, whose heights above
- *                            the plane are rounded
+ *     b < 1.4 (double: 1.8)  64 eps M_l sum |Omega_fan|, gradient 64 eps sum_fan (M_l |grad Omega_fan| +
+ *     and d > 4 R            G_l Omega_fan/d), any shape; in double times 1 + 1/(8 sin) at grazing angles, whose
+ *                            heights above the plane are rounded
  *     otherwise              32 eps M_l p more, p the perimeter in radians; gradient 128 eps M_l k more, k =
  *                            sum over edges of angle/distance; for points 1e-3 of the light's size from its
  *                            edges, and further

@@ -365,6 +365,30 @@ static void F(sphere)(void **state)
     assert_int_equal(F(sh_sphere)(2, c, c, 0, o, o + 4), SH_OK);                        /* no size, at the point */
     for (i = 0; i < 16; i++) assert_true(o[i] == 0);
     assert_true(F(untouched)(16, F(ROOM)));
+    {   /* radii whose square leaves the range hold every point in range; SH_INSIDE of one light is SH_INSIDE of the sum */
+        const T most = IS_F32 ? (T)3.3e38 : (T)1.7e308;
+        T radius = 1;
+        while (radius < most / 32) {
+            T light[4];
+            radius *= 32;
+            for (i = 0; i < 3; i++) light[i] = c[i];
+            light[3] = radius;
+            F(fill)();
+            assert_int_equal(F(sh_sphere_hessian)(2, p, c, radius, o, o + 4, o + 16), SH_INSIDE);
+            assert_true(fabs((double)o[0] - 3.5449077018110318) < 4 * (double)EPS && o[1] == 0 && o[4] == 0 && o[16] == 0);
+            assert_int_equal(F(sh_spheres)(2, SH_GRADIENT, 1, p, 1, light, NULL, o), SH_INSIDE);
+            assert_true(fabs((double)o[0] - 3.5449077018110318) < 4 * (double)EPS && o[1] == 0 && o[4] == 0);
+        }
+    }
+    {   /* at the shortest distance the basis' Hessian leaves the range of float, the light's does not */
+        const T d = IS_F32 ? (T)1.0842e-18 : (T)1.1e-150, from[3] = { 0, 0, 0 }, to[3] = { 0, 0, d };
+        static T h[6 * SH_MAX_BANDS * SH_MAX_BANDS], values[SH_MAX_BANDS * SH_MAX_BANDS];
+        int bands;
+        for (bands = 20; bands <= SH_MAX_BANDS; bands++) {
+            assert_int_equal(F(sh_sphere_hessian)(bands, from, to, d / 128, values, NULL, h), SH_OK);
+            assert_true(F(shi_finite)(h, (size_t)(6 * bands * bands)));
+        }
+    }
 }
 
 static void F(spheres)(void **state)

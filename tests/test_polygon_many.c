@@ -109,7 +109,7 @@ int main(void)
                                     BOTH_TESTS(lanes),       BOTH_TESTS(grids),        BOTH_TESTS(on_light),
                                     BOTH_TESTS(statuses),    BOTH_TESTS(zonal),        BOTH_TESTS(route),
                                     BOTH_TESTS(sphere),      BOTH_TESTS(sphere_cases), BOTH_TESTS(within),
-                                    BOTH_TESTS(texture) };
+                                    BOTH_TESTS(texture),     BOTH_TESTS(many_sided) };
     return RUN_TESTS(t);
 }
 #else
@@ -236,6 +236,63 @@ static void F(sums)(void **state)
                                   * ((ref_M(l) * slope + ref_G(l) * spread / nearest) * grazing
                                      + 2 * large * ref_M(l) * kappa),
                               (a + 1) * n * n + k);
+            }
+        }
+    }
+    row_close(values);
+    row_close(gradient);
+}
+
+/* polygons of many sides beside points in the plane of one of them: the sum of sh_polygon's */
+static void F(many_sided)(void **state)
+{
+    enum { BANDS = 6, N = BANDS * BANDS, POINTS = 11, SIDES = 64 };
+    row *values = row_open("discs of 3 to 64 sides, values", PRECISION),
+        *gradient = row_open("discs of 3 to 64 sides, gradient", PRECISION);
+    static T v[3 * (SIDES + 3)], p[3 * POINTS], out[POINTS * 4 * N];
+    static const T triangle[9] = { 5, 0, 3, 6, 0, 3, 5, 1, 3 };
+    int sides, i, j, k, a;
+    (void)state;
+    for (sides = 3; sides <= SIDES; sides += sides < 20 ? 1 : 11) {
+        const int counts[2] = { sides, 3 };
+        for (i = 0; i < sides; i++) {
+            const double at = 6.283185307179586 * i / sides;
+            v[3 * i] = (T)cos(at);
+            v[3 * i + 1] = (T)sin(at);
+            v[3 * i + 2] = 0;
+        }
+        memcpy(v + 3 * sides, triangle, sizeof triangle);
+        for (i = 0; i < 3 * POINTS; i++) p[i] = (T)ref_between(-2, 2);
+        p[2] = p[14] = 0;                                   /* in the disc's plane, outside */
+        p[0] = p[12] = 4;
+        p[5] = p[23] = 3;                                   /* in the triangle's */
+        assert_int_equal(F(sh_polygons_n)(BANDS, SH_GRADIENT, 1, SH_BOTH, POINTS, p, 2, counts, v, NULL, out), SH_OK);
+        for (i = 0; i < POINTS; i++) {
+            double want[4 * N];
+            long double perimeter = 0, kappa = 0, closest = 1e300L;
+            memset(want, 0, sizeof want);
+            for (j = 0; j < 2; j++) {
+                const T *const from = j ? v + 3 * sides : v;
+                double vd[3 * SIDES], pd[3], c[N], g[3 * N];
+                long double around, edges, nearest, size;
+                for (k = 0; k < 3; k++) pd[k] = (double)p[3 * i + k];
+                for (k = 0; k < 3 * counts[j]; k++) vd[k] = (double)from[k];
+                assert_int_equal(shi_polygon_engine(BANDS, SH_BOTH, 1, pd, (size_t)counts[j], vd, 0, c, g, NULL), SH_OK);
+                for (k = 0; k < N; k++) want[k] += c[k];
+                for (k = 0; k < 3 * N; k++) want[N + k] += g[k];
+                F(measure)(from, p + 3 * i, counts[j], &around, &edges, &nearest, &size);
+                perimeter += around;
+                kappa += edges;
+                if (nearest < closest) closest = nearest;
+            }
+            if (closest < 1e-2L) continue;
+            row_case("%d sides, point %d", sides, i);
+            for (k = 0; k < N; k++) {
+                const long double m = (long double)EPS * ref_M(ref_band(k));
+                const T *const got = out + i * 4 * N;
+                row_check(values, (long double)got[k], (long double)want[k], m * (64 * 12.6L + 32 * perimeter), k);
+                for (a = 1; a < 4; a++)
+                    row_check(gradient, (long double)got[a * N + k], (long double)want[a * N + k], m * 192 * kappa, a * N + k);
             }
         }
     }
@@ -436,6 +493,11 @@ static void F(route)(void **state)
             double vd[18], pd[3];
             T q[3];
             counts[j] = F(make)(v + 3 * at, j ? q : p, (i + j) % 5, ref_between(0.2, 1), ref_between(0.2, 1));
+            if (j == 0 && i % 3 == 2) {                     /* nearly in line with an edge, which is seen end-on */
+                const double away = ref_between(0.1, 3);
+                for (k = 0; k < 3; k++)
+                    p[k] = (T)as_float((double)v[k] - away * (double)(v[3 + k] - v[k]) + ref_log_between(1e-7, 0.1));
+            }
             for (k = 0; k < 3; k++) pd[k] = (double)p[k];
             for (k = 0; k < 3 * counts[j]; k++) vd[k] = (double)v[3 * at + k];
             F(measure)(v + 3 * at, p, counts[j], &one, &edge, &nearest, &size);
