@@ -185,8 +185,29 @@ enum {
 /* index into what shi_horner_form fills */
 #define SHI_FORM_AT(parity, k, sign, m) ((((parity) * (SHI_POLYNOMIAL_BANDS / 2) + (k)) * 2 + (sign)) * 16 + (m))
 
+#define SHI_PI           3.14159265358979323846
+#define SHI_TAU          6.28318530717958647693
+#define SHI_ROOT_FOUR_PI 3.54490770181103205460
+#define SHI_Y00          0.28209479177387814347
+
+/* sums of 34 bands take at least a column at a time, weights at least a vector */
+typedef char shi_sums_fit[SHI_SUMS >= 2 * 6 * (SH_MAX_BANDS + 2) && SHI_POOL >= (2 + 6) * (SH_MAX_BANDS + 2) + 1 ? 1 : -1];
+
 #define SHI_CAT_(a, b) a##b
 #define SHI_CAT(a, b)  SHI_CAT_(a, b)
+
+/* return fixed(n, ...), a body for each band count up to SH_UNROLLED_BANDS, or any(n, ...), one for all beyond */
+#define SHI_BODY(k, fixed, ...) \
+    case k: if (k <= SH_UNROLLED_BANDS) return fixed(k <= SH_UNROLLED_BANDS ? k : 1, __VA_ARGS__); break;
+#define SHI_BANDS(n, fixed, any, ...) \
+    switch (n) { \
+        SHI_BODY(1, fixed, __VA_ARGS__) SHI_BODY(2, fixed, __VA_ARGS__) SHI_BODY(3, fixed, __VA_ARGS__) \
+        SHI_BODY(4, fixed, __VA_ARGS__) SHI_BODY(5, fixed, __VA_ARGS__) SHI_BODY(6, fixed, __VA_ARGS__) \
+        SHI_BODY(7, fixed, __VA_ARGS__) SHI_BODY(8, fixed, __VA_ARGS__) SHI_BODY(9, fixed, __VA_ARGS__) \
+        SHI_BODY(10, fixed, __VA_ARGS__) \
+    default: break; \
+    } \
+    return any(n, __VA_ARGS__);
 
 /* ---- rooms ---- */
 
@@ -1156,21 +1177,6 @@ SHI_INLINE void SHI_KN(shi_scatter)(const SHI_T *block, int rows, SHI_T *out, si
 #undef  SHI_ROOM
 #define SHI_ROOM SHI_KERNELS
 
-/* one unrolled body per band count up to 10, one loop beyond */
-#if SHI_LANES == 1 && SHI_BITS == 32
-#define SHI_BODY(k, fixed, ...) \
-    case k: if (k <= SH_UNROLLED_BANDS) return fixed(k <= SH_UNROLLED_BANDS ? k : 1, __VA_ARGS__); break;
-#define SHI_BANDS(n, fixed, any, ...) \
-    switch (n) { \
-        SHI_BODY(1, fixed, __VA_ARGS__) SHI_BODY(2, fixed, __VA_ARGS__) SHI_BODY(3, fixed, __VA_ARGS__) \
-        SHI_BODY(4, fixed, __VA_ARGS__) SHI_BODY(5, fixed, __VA_ARGS__) SHI_BODY(6, fixed, __VA_ARGS__) \
-        SHI_BODY(7, fixed, __VA_ARGS__) SHI_BODY(8, fixed, __VA_ARGS__) SHI_BODY(9, fixed, __VA_ARGS__) \
-        SHI_BODY(10, fixed, __VA_ARGS__) \
-    default: break; \
-    } \
-    return any(n, __VA_ARGS__);
-#endif
-
 /* ---- drivers: a body per band count where that pays; only the functions a program calls are compiled ---- */
 
 SHI_NOINLINE int SHI_KN(shi_blocks_values)(int n, size_t blocks, const SHI_T *dirs, SHI_T *y)
@@ -1680,15 +1686,15 @@ SHI_KERNEL SHI_V SHI_KN(shi_light_geometry)(const SHI_T point[3], const SHI_V ce
     return SHI_KN(shi_light_polar)(x, y, SHI_FMA(z, SHI_C(-0.5) * e, z), SHI_FMA(-e, xy, xy), o);
 }
 
-/* c, v [levels]: U_m, V_m times radiance, nb vectors from one m to the next */
-SHI_KERNEL void SHI_KN(shi_light_powers)(SHI_V x, SHI_V y, SHI_V radiance, int levels, int nb, SHI_V *c, SHI_V *v)
+/* c, s [levels]: U_m, V_m times radiance, nb vectors from one m to the next */
+SHI_KERNEL void SHI_KN(shi_light_powers)(SHI_V x, SHI_V y, SHI_V radiance, int levels, int nb, SHI_V *c, SHI_V *s)
 {
     SHI_V uc = x * radiance, us = y * radiance;
     int m;
     c[0] = radiance;                            /* V_0 = 0 is not read */
     for (m = 1; m < levels; m++) {
         c[m * nb] = uc;
-        v[m * nb] = us;
+        s[m * nb] = us;
         SHI_KN(shi_turn)(x, y, &uc, &us);
     }
 }
@@ -1696,7 +1702,7 @@ SHI_KERNEL void SHI_KN(shi_light_powers)(SHI_V x, SHI_V y, SHI_V radiance, int l
 /* w[kinds][levels], nb vectors from one band to the next; of odd bands times z's sign */
 SHI_KERNEL void SHI_KN(shi_light_weights)(int n, int kinds, const SHI_KN(shi_light) *o, int levels, int nb, SHI_V *w)
 {
-    const SHI_T tau = SHI_C(6.2831853071795865);
+    const SHI_T tau = SHI_C(SHI_TAU);
     const SHI_V zero = SHI_SPLAT(0), q = kinds > 1 ? o->q : zero;
     const SHI_V i = kinds > 1 ? SHI_KN(shi_flip)(o->inverse, o->side) : zero;
     const SHI_V bend = kinds == SHI_ALL_KINDS ? tau * (q * (SHI_C(3) * o->inverse + q / o->alpha)) : zero;
@@ -1741,7 +1747,7 @@ SHI_KERNEL void SHI_KN(shi_light_weights)(int n, int kinds, const SHI_KN(shi_lig
 /* `rows` bands of column m, the last one at distance e_last, over the nb vectors of a block: M22's reverse order on a
  * CPU, the sums in registers. first: the column starts here; more: it goes on. sum[rows][kinds][2] */
 SHI_KERNEL void SHI_KN(shi_light_rows)(int rows, int kinds, int e_last, int zonal, int first, int more, int nb,
-                                       const SHI_T ratio[4], const SHI_V *polar, const SHI_V *c, const SHI_V *v,
+                                       const SHI_T ratio[4], const SHI_V *polar, const SHI_V *c, const SHI_V *s,
                                        const SHI_V *w, int kind_stride, SHI_V *qa, SHI_V *qb, SHI_V *sum)
 {
     SHI_V a[2 * SHI_ALL_KINDS], b[2 * SHI_ALL_KINDS];
@@ -1754,7 +1760,7 @@ SHI_KERNEL void SHI_KN(shi_light_rows)(int rows, int kinds, int e_last, int zona
     }
     for (i = 0; i < nb; i++) {
         SHI_V qc[4], qs[4], q = SHI_SPLAT(1), fall = SHI_SPLAT(0);
-        const SHI_V ti = polar[i], ci = c[i], si = zonal ? ci : v[i];
+        const SHI_V ti = polar[i], ci = c[i], si = zonal ? ci : s[i];
         if (!first) {
             q = qa[i];
             fall = qb[i];
@@ -2128,7 +2134,7 @@ SHI_KERNEL void SHI_BN(shi_values)(int n, int single, const SHI_V u[4], SHI_T *y
 SHI_KERNEL void SHI_BN(shi_gradient)(int n, int single, const SHI_V u[4], SHI_V i, SHI_T *y, int y_stride, SHI_T *g,
                                      int stride, const SHI_T *ahead, SHI_KN(shi_direction) *next)
 {
-    const SHI_V z = u[2], xi = -u[0] * i, vi = -u[1] * i, zero = SHI_SPLAT(0);
+    const SHI_V z = u[2], xi = -u[0] * i, yi = -u[1] * i, zero = SHI_SPLAT(0);
     SHI_T *const gx = g, *const gy = gx + n * n * stride, *const gz = gy + n * n * stride;
     SHI_V a[2], column[SHI_RING][SHI_COLUMN], c[SHI_COLUMN], s[SHI_COLUMN];
     int l, m;
@@ -2146,8 +2152,8 @@ SHI_KERNEL void SHI_BN(shi_gradient)(int n, int single, const SHI_V u[4], SHI_V 
         is = i * s[m];
         xc = xi * c[m];
         xs = xi * s[m];
-        vc = vi * c[m];
-        vs = vi * s[m];
+        vc = yi * c[m];
+        vs = yi * s[m];
         SHI_LOOP
         for (l = m; l < n; l++) {
             const SHI_V q = q0[l], d = l > m ? SHI_FN(shi_slope)[SHI_ROWS(l, m)] * q1[l] : SHI_SPLAT(0);
@@ -2157,7 +2163,7 @@ SHI_KERNEL void SHI_BN(shi_gradient)(int n, int single, const SHI_V u[4], SHI_V 
             if (m == 0) {
                 SHI_PUT(y + at * y_stride, q, single);
                 SHI_PUT(gx + at * stride, l ? SHI_FMA(xi, b, zero) : d, single);
-                SHI_PUT(gy + at * stride, l ? SHI_FMA(vi, b, zero) : d, single);
+                SHI_PUT(gy + at * stride, l ? SHI_FMA(yi, b, zero) : d, single);
                 SHI_PUT(gz + at * stride, l ? i * e : d, single);
             } else {
                 const SHI_V qc = q * mc, qs = q * ms;
@@ -2350,15 +2356,15 @@ SHI_KERNEL SHI_V SHI_KN(shi_orders_row)(int j, int l, int m, const SHI_V a[2], S
 SHI_KERNEL void SHI_KN(shi_orders_gradient)(SHI_V m, const SHI_V u[4], SHI_V i, SHI_V q, SHI_V d, const SHI_V *c,
                                             const SHI_V *s, SHI_T (*up)[SHI_W], SHI_T (*down)[SHI_W])
 {
-    const SHI_V zero = SHI_SPLAT(0), xi = -u[0] * i, vi = -u[1] * i, mi = m * i, less = (zero - m) * i;
+    const SHI_V zero = SHI_SPLAT(0), xi = -u[0] * i, yi = -u[1] * i, mi = m * i, less = (zero - m) * i;
     const SHI_V qm = SHI_SELECT((SHI_M)(m > zero), q, zero), b = SHI_FMA(u[2], d, m * qm), e = SHI_FNMA(u[2], b, d);
     SHI_STORE(up[0], q * c[0]);
     SHI_STORE(up[1], SHI_FMA(xi * c[0], b, qm * (less * c[-1])));
-    SHI_STORE(up[2], SHI_FMA(vi * c[0], b, qm * (mi * s[-1])));
+    SHI_STORE(up[2], SHI_FMA(yi * c[0], b, qm * (mi * s[-1])));
     SHI_STORE(up[3], (i * c[0]) * e);
     SHI_STORE(down[0], q * s[0]);
     SHI_STORE(down[1], SHI_FMA(xi * s[0], b, qm * (less * s[-1])));
-    SHI_STORE(down[2], SHI_FMA(vi * s[0], b, qm * (less * c[-1])));
+    SHI_STORE(down[2], SHI_FMA(yi * s[0], b, qm * (less * c[-1])));
     SHI_STORE(down[3], (i * s[0]) * e);
 }
 
@@ -2620,7 +2626,7 @@ SHI_KERNEL SHI_V SHI_KN(shi_line_next)(int n, int k, const SHI_V *q)
  * nothing, when the direction is out of range */
 SHI_KERNEL int SHI_KN(shi_one_line)(int n, int planes, const SHI_T d[3], SHI_T *y, SHI_T *g)
 {
-    SHI_V v[3], u[4], i, xi, vi, q[SHI_LINE_REGISTERS], c[SH_MAX_BANDS / SHI_W], s[SH_MAX_BANDS / SHI_W];
+    SHI_V v[3], u[4], i, xi, yi, q[SHI_LINE_REGISTERS], c[SH_MAX_BANDS / SHI_W], s[SH_MAX_BANDS / SHI_W];
     /* dU/dx = dV/dy, dU/dy, dV/dx, times 1/|v| */
     SHI_V ux[SHI_ORDER_REGISTERS], uy[SHI_ORDER_REGISTERS], vx[SHI_ORDER_REGISTERS];
     int r, k, j;
@@ -2629,7 +2635,7 @@ SHI_KERNEL int SHI_KN(shi_one_line)(int n, int planes, const SHI_T d[3], SHI_T *
     v[2] = SHI_KEEP(SHI_SPLAT(d[2]));
     if (!SHI_KN(shi_unit)(v, 1, u, &i)) return 0;
     xi = -u[0] * i;
-    vi = -u[1] * i;
+    yi = -u[1] * i;
     SHI_KN(shi_powers)(n, u, c, s);
     y[0] = SHI_HORNER(0, 0, 0);
     if (planes == SH_GRADIENT) {
@@ -2667,7 +2673,7 @@ SHI_KERNEL int SHI_KN(shi_one_line)(int n, int planes, const SHI_T d[3], SHI_T *
             qm = SHI_KN(shi_blend)(zonal, SHI_SPLAT(0), q[k]);
             b = SHI_FMA(u[2], dq, SHI_LOAD(order) * qm);
             SHI_KN(shi_put_line)(n, at, SHI_FMA(xi * f, b, qm * SHI_KN(shi_line_spread)(n, k, ux, vx)), g);
-            SHI_KN(shi_put_line)(n, at, SHI_FMA(vi * f, b, qm * SHI_KN(shi_line_spread)(n, k, uy, ux)), g + n * n);
+            SHI_KN(shi_put_line)(n, at, SHI_FMA(yi * f, b, qm * SHI_KN(shi_line_spread)(n, k, uy, ux)), g + n * n);
             SHI_KN(shi_put_line)(n, at, (i * f) * SHI_FNMA(u[2], b, dq), g + 2 * n * n);
         }
     }
@@ -2758,7 +2764,7 @@ SHI_NOINLINE int SHI_FN(shi_batch)(int n, int planes, size_t count, const SHI_T 
  * times l^2 for small lights, does not enter. */
 SHI_INLINE void SHI_FN(shi_cap)(int n, SHI_T s, SHI_T alpha, SHI_T i, SHI_T *f, SHI_T *f1, SHI_T *f2)
 {
-    const SHI_T tau = SHI_C(6.2831853071795865), s2 = s * s, q = s2 * i / alpha, kappa = s2 / (1 + alpha);
+    const SHI_T tau = SHI_C(SHI_TAU), s2 = s * s, q = s2 * i / alpha, kappa = s2 / (1 + alpha);
     SHI_T p = 1, step = 0, slope = 0;                           /* P_l, P_l - P_{l-1}, P_l' */
     int l;
     for (l = 0; l < n; l++) {
@@ -2823,7 +2829,7 @@ SHI_NOINLINE int SHI_FN(shi_sphere)(int n, const SHI_T x[3], const SHI_T y[3], S
     memset(c, 0, size);
     if (g) memset(g, 0, 3 * size);
     if (h) memset(h, 0, 6 * size);
-    if (inside) c[0] = SHI_C(3.5449077018110321);               /* 2 sqrt(pi) */
+    if (inside) c[0] = SHI_C(SHI_ROOT_FOUR_PI);
     return inside ? SH_INSIDE : SH_OK;
 }
 

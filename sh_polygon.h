@@ -4109,7 +4109,7 @@ SHI_KERNEL SHI_V SHI_KN(shi_polygon_angle)(SHI_V y, SHI_V x)
     const SHI_V high = SHI_SELECT(steep, y, r), low = SHI_SELECT(steep, r, y);
     const SHI_V a = SHI_KN(shi_polygon_atan)(low / SHI_SELECT(high > SHI_SPLAT(0), high, SHI_SPLAT(1)));
     const SHI_V b = SHI_SELECT(steep, SHI_C(1.57079632679489661923) - a, a);
-    return SHI_SELECT(x < SHI_SPLAT(0), SHI_C(3.14159265358979323846) - b, b);
+    return SHI_SELECT(x < SHI_SPLAT(0), SHI_C(SHI_PI) - b, b);
 }
 
 /* sine and cosine of a in [0, pi/2]: mpmath.chebyfit of sin(sqrt(k))/sqrt(k) and cos(sqrt(k)) on [0,
@@ -4288,7 +4288,7 @@ SHI_INLINE void SHI_KN(shi_polygon_spread)(int edges, int size, const SHI_V *m, 
 /* Solid angle modulo 2 pi from the exterior angles, the multiple from `guess`. */
 SHI_INLINE SHI_V SHI_KN(shi_polygon_turning)(const SHI_V x[3], size_t count, const SHI_T *v, SHI_V guess)
 {
-    const SHI_T whole = SHI_C(6.28318530717958647692), half = SHI_C(3.14159265358979323846);
+    const SHI_T whole = SHI_C(SHI_TAU), half = SHI_C(SHI_PI);
     const SHI_T least = SHI_BITS == 32 ? SHI_C(1e-37) : SHI_C(1e-300 * (SHI_BITS == 64));
     const SHI_V zero = SHI_SPLAT(0), one = SHI_SPLAT(1);
     SHI_V first[3], before[3], corner[3], turn_c = one, turn_s = zero, angle, exact;
@@ -4951,7 +4951,7 @@ SHI_NOINLINE int shi_polygon_engine(int bands, int sides, int tight, const doubl
                                     const void *vertices, int floats, double *coeffs, double *grad,
                                     double *fan_size)
 {
-    const double turn = 6.283185307179586476925, y00 = 0.28209479177387814347;
+    const double turn = SHI_TAU, y00 = SHI_Y00;
     const int size = bands * bands, planes = grad ? SH_GRADIENT : SH_VALUES;
     double totals[SHI_TOTALS(SH_MAX_POLYGON_BANDS)], out[4 * SH_MAX_POLYGON_BANDS * SH_MAX_POLYGON_BANDS];
     double s[(SH_MAX_POLYGON_BANDS + 1) * (SH_MAX_POLYGON_BANDS + 2)],
@@ -5137,7 +5137,7 @@ SHI_INLINE double shi_second_bound(int l)
 SHI_NOINLINE int shi_triangle_sphere(int bands, int sides, const double x[3], const double v[9], double *out,
                                      double *grad, double *error)
 {
-    const double huge = 1.7976931348623157e308, pi = 3.14159265358979323846;
+    const double huge = 1.7976931348623157e308, pi = SHI_PI;
     const int size = bands * bands;
     double y[3], u[3], n[3], zero[3] = { 0, 0, 0 }, scale, area, r, d, cosine, factor, sum = 0, reach = 0;
     shi_scene scene;
@@ -5310,8 +5310,8 @@ SHI_NOINLINE int shi_within_engine(int bands, int sides, int tight, double toler
         shi_sixth_bounds(bands, reach / nearest, six);
         shi_sixth_bounds(bands, 0.5 * reach / nearest, six4);
         for (l = 0; l < bands; l++) {
-            const double m2 = (2 * l + 1) / 12.566370614359172954,
-                         s = area / (3.14159265358979323846 * d * d);
+            const double m2 = (2 * l + 1) / (2 * SHI_TAU),
+                         s = area / (SHI_PI * d * d);
             const double nearest5 = nearest * nearest * nearest * nearest * nearest,
                          second = 0.5 * q * shi_second_bound(l) * unit / nearest5;
             const double sixth = unit / (nearest * nearest * nearest);
@@ -5460,7 +5460,7 @@ SH_API int SHI_FN(sh_polygon)(int bands, int sides, const SHI_T point[3], size_t
 SH_API int SHI_FN(sh_polygon_solid_angle)(int sides, const SHI_T point[3], size_t count,
                                           const SHI_T *vertices, SHI_T *omega, SHI_T grad[3])
 {
-    const double root = 3.5449077018110320546;          /* sqrt(4 pi) */
+    const double root = SHI_ROOT_FOUR_PI;          /* sqrt(4 pi) */
     double p[3], c[1], g[3];
     int k, status = SHI_FN(shi_polygon_check)(1, sides, point, count, vertices);
     if (status) return status;
@@ -5646,7 +5646,7 @@ SHI_INLINE int SHI_FN(shi_polygons_with)(int n, int planes, int channels, int si
                 SHI_T *const to = out + p * stride + (size_t)(c + k) * row;
                 const SHI_T *const results = (const SHI_T *)(const void *)sums;
                 SHI_MANY(shi_polygon_finish)(n, planes, surface, work + k * totals, sums);
-                sums[0] += omega[k] * SHI_C(0.28209479177387814347);
+                sums[0] += omega[k] * SHI_C(SHI_Y00);
                 if (valid) {
                     SHI_MANY(shi_transpose_block)(results, lanes, rows, to, stride, used);
                     continue;
@@ -5850,7 +5850,7 @@ SHI_NOINLINE int shi_polygon_zonal_engine(int bands, int tight, const double axi
         /* the engine's own sign of the side */
         shi_polygon_engine(1, SH_SIGNED, tight, point, count, vertices, floats, g, NULL, NULL);
         sign = g[0] == c[0] ? -1 : 1;
-        s[0] = c[0] * 3.5449077018110320546;
+        s[0] = c[0] * SHI_ROOT_FOUR_PI;
         for (l = 1; l < bands; l++) s[l] = sign * sums[l];
         for (l = 0; grad && l < 3 * bands; l++) grad[l] = sign * slopes[l];
         return SH_OK;
@@ -5862,7 +5862,7 @@ SHI_NOINLINE int shi_polygon_zonal_engine(int bands, int tight, const double axi
         double y[SH_MAX_POLYGON_BANDS * SH_MAX_POLYGON_BANDS];
         sh_eval_f64(bands, axis, y);
         for (l = 0; l < bands; l++) {
-            const double f = 12.566370614359172954 / (double)(2 * l + 1);
+            const double f = (2 * SHI_TAU) / (double)(2 * l + 1);
             s[l] = 0;
             for (i = l * l; i < (l + 1) * (l + 1); i++) s[l] += f * y[i] * c[i];
             for (k = 0; grad && k < 3; k++) {
@@ -5968,7 +5968,7 @@ SHI_INLINE int SHI_FN(shi_zonal_point)(int n, int planes, int sides, const SHI_T
             for (l = 0; planes == SH_GRADIENT && l < 3 * size; l++) extra[size + l] += (double)r * grad[l];
             continue;
         }
-        signed_omega = c[0] * 3.5449077018110320546; /* positive in front, where the edges count negative */
+        signed_omega = c[0] * SHI_ROOT_FOUR_PI; /* positive in front, where the edges count negative */
         if (sides == SH_FRONT && signed_omega < 0) continue;
         f = sides == SH_SIGNED || signed_omega > 0 ? -r : r;
         shi_scene_open(&scene, point, (size_t)counts[g], v, SHI_BITS == 32);
@@ -6033,7 +6033,7 @@ SH_API int SHI_FN(sh_polygons_zonal_n)(int bands, int planes, int channels, int 
             dirs[3 * d + k] = SHI_MANY(shi_load)(lane);
         }
     for (l = 0; l < bands; l++) {
-        const double f = sqrt((2 * l + 1) / 12.566370614359172954);
+        const double f = sqrt((2 * l + 1) / (2 * SHI_TAU));
         for (i = l * l; i < (l + 1) * (l + 1); i++)
             for (d = 0; d < vectors * W; d++)
                 weights[i * vectors * W + d] = d < lobes ? (SHI_T)(f * set_weights[i * lobes + d]) : SHI_C(0);

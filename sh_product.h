@@ -135,7 +135,7 @@ SHI_INLINE void shi_ggx(int bands, double alpha, double *zh)
 /* Weight of band l in a window of the given width in bands. */
 SHI_INLINE double shi_window(int kind, double width, int l)
 {
-    const double x = 3.141592653589793 * l / width;
+    const double x = SHI_PI * l / width;
     if (l == 0) return 1;
     if (kind == SH_GAUSS) return exp(-0.5 * x * x * (l + 1) / l);
     if (l >= width) return 0;
@@ -250,12 +250,12 @@ SHI_INLINE double shi_convention_factor(const shi_convention *c, int l, int m)
 
     switch (c->scale) {
     case SHI_PER_PI:     f *= 0.3183098861837907; break;
-    case SHI_IRRADIANCE: f *= 3.141592653589793 * cosine[l]; break;
+    case SHI_IRRADIANCE: f *= SHI_PI * cosine[l]; break;
     case SHI_FOLDED:     f *= cosine[l] * basis[l * (l + 1) + m]; break;
-    case SHI_FOUR_PI:    f *= 0.28209479177387814; break;
-    case SHI_N3D:        f *= 3.5449077018110318; break;
-    case SHI_SN3D:       f *= 3.5449077018110318 / sqrt(2 * l + 1.0); break;
-    case SHI_MAX_N:      f *= 3.5449077018110318 / sqrt(2 * l + 1.0) * peak[l][am]; break;
+    case SHI_FOUR_PI:    f *= SHI_Y00; break;
+    case SHI_N3D:        f *= SHI_ROOT_FOUR_PI; break;
+    case SHI_SN3D:       f *= SHI_ROOT_FOUR_PI / sqrt(2 * l + 1.0); break;
+    case SHI_MAX_N:      f *= SHI_ROOT_FOUR_PI / sqrt(2 * l + 1.0) * peak[l][am]; break;
     case SHI_HALVES:     if (m) f *= 0.7071067811865476; break;
     case SHI_DOUBLES:    if (m) f *= 1.4142135623730951; break;
     default: break;
@@ -1124,7 +1124,7 @@ SHI_INLINE void SHI_KN(shi_prod_clamp)(int bands, const SHI_T *k, SHI_V *d)
 SHI_INLINE void SHI_KN(shi_prod_multiples)(int bands, const SHI_V *c, const SHI_V *s, SHI_V *cm, SHI_V *sm)
 {
     int m;
-    memset(&sm[0], 0, sizeof sm[0]);
+    sm[0] = SHI_SPLAT(0);
     cm[0] = sm[0] + SHI_C(1);
     if (bands > 1) { cm[1] = *c; sm[1] = *s; }
     for (m = 2; m < bands; m++) {               /* from halves: the error grows with log m, not with m */
@@ -1144,7 +1144,7 @@ SHI_INLINE void SHI_KN(shi_prod_cosine)(int bands, const SHI_T *swap, const SHI_
     const SHI_T *k = swap;
     int l;
 
-    memset(&zero, 0, sizeof zero);
+    zero = SHI_SPLAT(0);
     one = zero + SHI_C(1);
     x = SHI_ABS(n[0]); y = SHI_ABS(n[1]); z = SHI_ABS(n[2]);
     big = SHI_SELECT(x > y, x, y);
@@ -1213,7 +1213,7 @@ SHI_INLINE void SHI_KN(shi_prod_fourier)(int bands, const SHI_T *y, const SHI_T 
     for (m = 0; m < bands; m++) {
         const SHI_T half = m ? SHI_C(0.5) : SHI_C(1);
         SHI_V e, o, f, g;
-        memset(&e, 0, sizeof e);
+        e = SHI_SPLAT(0);
         o = f = g = e;
         for (l = m; l < bands; l += 2) {
             const SHI_V t = SHI_LOAD(y + (l * (l + 1) + m) * SH_BLOCK);
@@ -1235,7 +1235,7 @@ SHI_INLINE void SHI_KN(shi_prod_fourier)(int bands, const SHI_T *y, const SHI_T 
             im[m] = -im[-m];
             im[other + m] = -im[other - m];
         } else {
-            memset(&im[0], 0, sizeof im[0]);
+            im[0] = SHI_SPLAT(0);
             im[other] = im[0];
         }
     }
@@ -1254,7 +1254,7 @@ SHI_INLINE void SHI_KN(shi_prod_triple)(int pairs, int na, int nb, int n, int st
 
     for (g = 0; g < pairs; g += SHI_W) {
         const SHI_T *at = y + (size_t)(g / SH_BLOCK) * (size_t)stride * SH_BLOCK + g % SH_BLOCK;
-        const SHI_V w = SHI_C(6.283185307179586) * SHI_LOAD(weight + g);
+        const SHI_V w = SHI_C(SHI_TAU) * SHI_LOAD(weight + g);
 
         SHI_KN(shi_prod_fourier)(na, at, a, ar + mid, ai + mid);
         SHI_KN(shi_prod_fourier)(nb, at, b, br + mid, bi + mid);
@@ -1262,7 +1262,7 @@ SHI_INLINE void SHI_KN(shi_prod_triple)(int pairs, int na, int nb, int n, int st
             const int first = m - nb + 1 > 1 - na ? m - nb + 1 : 1 - na;
             const int last = m + nb - 1 < na - 1 ? m + nb - 1 : na - 1;
             SHI_V tr, ti, ur, ui, t;
-            memset(&tr, 0, sizeof tr);
+            tr = SHI_SPLAT(0);
             ti = ur = ui = tr;
             for (j = first; j <= last; j++) {
                 const int p = mid + j, q = mid + m - j;
@@ -1277,10 +1277,10 @@ SHI_INLINE void SHI_KN(shi_prod_triple)(int pairs, int na, int nb, int n, int st
                 const int k = l * (l + 1);
                 const int odd = (l - m) & 1;
                 t = SHI_LOAD(at + (k + m) * SH_BLOCK);
-                if (g == 0) memset(&sum[k + m], 0, sizeof t);
+                if (g == 0) sum[k + m] = SHI_SPLAT(0);
                 sum[k + m] += t * (odd ? ur : tr);
                 if (m == 0) continue;
-                if (g == 0) memset(&sum[k - m], 0, sizeof t);
+                if (g == 0) sum[k - m] = SHI_SPLAT(0);
                 sum[k - m] -= t * (odd ? ui : ti);
             }
         }
@@ -1738,7 +1738,7 @@ SH_API int SHI_FN(sh_cosine_product_blocks)(int bands, size_t blocks, const SHI_
 SH_API int SHI_FN(sh_diffuse_from_product)(const SHI_T *product, SHI_T *irradiance)
 {
     if (!product || !irradiance) return SH_ERROR_NULL;
-    *irradiance = SHI_C(3.5449077018110318) * product[0];
+    *irradiance = SHI_C(SHI_ROOT_FOUR_PI) * product[0];
     return SH_OK;
 }
 
@@ -1752,7 +1752,7 @@ SH_API int SHI_FN(sh_zonal_cosine)(int bands, SHI_T *zh)
     if (!zh) return SH_ERROR_NULL;
     if (bands < 1 || bands > SH_MAX_BANDS) return SH_ERROR_BANDS;
     shi_power(bands, 1, z);
-    for (l = 0; l < bands; l++) zh[l] = (SHI_T)(6.283185307179586 * z[l]);
+    for (l = 0; l < bands; l++) zh[l] = (SHI_T)(SHI_TAU * z[l]);
     return SH_OK;
 }
 
@@ -1809,7 +1809,7 @@ SH_API int SHI_FN(sh_convolve)(int bands, const SHI_T *zh, const SHI_T *in, SHI_
     int l;
     if (!zh || !in || !out) return SH_ERROR_NULL;
     if (bands < 1 || bands > SH_MAX_BANDS) return SH_ERROR_BANDS;
-    for (l = 0; l < bands; l++) factors[l] = (SHI_T)(sqrt(12.566370614359172 / (2 * l + 1)) * (double)zh[l]);
+    for (l = 0; l < bands; l++) factors[l] = (SHI_T)(sqrt((2 * SHI_TAU) / (2 * l + 1)) * (double)zh[l]);
     return SHI_FN(sh_scale_bands)(bands, factors, in, out);
 }
 
