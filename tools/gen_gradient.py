@@ -111,7 +111,7 @@ def block():
               [frac(beta(l, m)) for l, m in pairs]),
         table("shi_norm", len(pairs), "[l(l+1)/2 + m]: times monic q_l^m it is the normalised one", [norm(l, m) for l, m in pairs]),
         table("shi_pole", len(pairs), "[l(l+1)/2 + m]: norm included, q_l^m at z = 1", [pole(l, m) for l, m in pairs]),
-        table("shi_step", len(pairs), "[l(l+1)/2 + m]: (1-2l)/(l+m), l >= 1", [mpf(1 - 2 * l) / max(l + m, 1) for l, m in pairs]),
+        table("shi_ratio", len(pairs), "[l(l+1)/2 + m]: (2l-1)/(l+m), l >= 1", [mpf(max(2 * l - 1, 0)) / max(l + m, 1) for l, m in pairs]),
         table("shi_slope", len(pairs), "[l(l+1)/2 + m]: norm included, d q_l^m / dz = slope q_l^{m+1}",
               [sqrt(frac(slope2(l, m))) for l, m in pairs]),
         table("shi_root", 72, "[k]: sqrt(k)", [sqrt(mpf(k)) for k in range(72)]),
