@@ -56,16 +56,17 @@ FUZZ(double, _f64)
 /* bytes to coordinates: raw bits, or small grid numbers that meet planes, edges and vertices */
 static int run(const uint8_t *data, size_t size)
 {
-    float f[3 * 12];
-    double d[3 * 12];
+    enum { MOST = 20, NUMBERS = 3 * (1 + MOST + 3) };       /* a point, a polygon, a triangle */
+    float f[NUMBERS];
+    double d[NUMBERS];
     const char *bad;
     int vertices, bands, sides, kind, i, k;
     if (size < 8) return 0;
-    vertices = 3 + data[0] % 5;
+    vertices = 3 + data[0] % (data[4] % 2 ? MOST - 2 : 5);
     bands = 1 + data[1] % 16;
     sides = data[2] % 3;
     kind = data[3] % 4;
-    for (i = 0; i < 36; i++) {
+    for (i = 0; i < NUMBERS; i++) {
         uint64_t bits = 0;
         for (k = 0; k < 8; k++) bits = bits << 8 | data[(4 + (size_t)i * 8 + (size_t)k) % size];
         bits *= 0x9e3779b97f4a7c15u;
