@@ -2887,17 +2887,18 @@ SHI_INLINE void SHI_FN(shi_grid_node)(const SHI_FN(sh_grid) *g, size_t node, SHI
     x[2] = g->origin[2] + (SHI_T)(node / nx / ny) * g->cell[2];
 }
 
-SHI_INLINE int SHI_FN(shi_check_spheres)(int bands, int planes, int channels, size_t points, const SHI_T *point, size_t count,
-                                         const SHI_T *spheres, const SHI_T *radiance, const SHI_T *out)
+/* point[given][3]: points of them or, on a grid, its origin */
+SHI_INLINE int SHI_FN(shi_check_spheres)(int bands, int planes, int channels, size_t points, size_t given, const SHI_T *point,
+                                         size_t count, const SHI_T *spheres, const SHI_T *radiance, const SHI_T *out)
 {
     const size_t item = sizeof *out, block = (size_t)bands * (size_t)bands * (size_t)planes * (size_t)channels * item;
     if (bands < 1 || bands > SH_MAX_BANDS) return SH_ERROR_BANDS;
     if (planes != SH_VALUES && planes != SH_GRADIENT && planes != SH_HESSIAN) return SH_ERROR_OPTION;
     if (channels < 1) return SH_ERROR_COUNT;
     if (points == 0) return SH_OK;
-    if ((count && (!point || !spheres)) || !out) return SH_ERROR_NULL;
+    if (!point || (count && !spheres) || !out) return SH_ERROR_NULL;
     if (points > SHI_MOST_ITEMS / (size_t)channels || count > SHI_MOST_ITEMS / (size_t)channels) return SH_ERROR_COUNT;
-    if ((point != spheres && shi_overlap(point, 3 * points * item, out, points * block))
+    if (shi_overlap(point, 3 * given * item, out, points * block)
         || shi_overlap(spheres, 4 * count * item, out, points * block)
         || shi_overlap(radiance, (size_t)channels * count * item, out, points * block)) return SH_ERROR_OVERLAP;
     return SH_OK;
@@ -3305,6 +3306,12 @@ SH_API int SHI_FN(sh_zonal_light)(int bands, const SHI_T to_light[3], const SHI_
     int l;
     if (status) return status;
     if (!zh || ((grad || hess) && !dzh) || (hess && !ddzh)) return SH_ERROR_NULL;
+    for (l = 0; l < 3; l++) {
+        const SHI_T *const in = l == 0 ? zh : l == 1 ? dzh : ddzh;
+        const size_t size = (size_t)(bands * bands) * sizeof *in, read = (size_t)bands * sizeof *in;
+        if (shi_overlap(in, read, coeffs, size) || shi_overlap(in, read, grad, 3 * size) || shi_overlap(in, read, hess, 6 * size))
+            return SH_ERROR_OVERLAP;
+    }
     for (l = 0; l < bands; l++) {
         const SHI_T k = SHI_C(1) / SHI_FN(shi_zonal)[l];
         f[0][l] = k * zh[l];
@@ -3356,7 +3363,8 @@ SH_API int SHI_FN(sh_sphere)(int bands, const SHI_T point[3], const SHI_T center
 SH_API int SHI_FN(sh_spheres_n)(int bands, int planes, int channels, size_t points, const SHI_T *point,
                                 size_t count, const SHI_T *spheres, const SHI_T *radiance, SHI_T *out)
 {
-    const int status = SHI_FN(shi_check_spheres)(bands, planes, channels, points, point, count, spheres, radiance, out);
+    const int status = SHI_FN(shi_check_spheres)(bands, planes, channels, points, points, point, count, spheres, radiance,
+                                                     out);
     if (status || !points) return status;
     return SHI_FN(shi_spheres)(bands, planes, channels, points, point, NULL, 0, count, spheres, radiance, out);
 }
@@ -3376,7 +3384,8 @@ SH_API int SHI_FN(sh_spheres_grid)(int bands, int planes, int channels, const SH
     int status;
     if (!grid) return SH_ERROR_NULL;
     status = SHI_FN(shi_check_grid)(grid, first, nodes);
-    if (!status) status = SHI_FN(shi_check_spheres)(bands, planes, channels, nodes, spheres, count, spheres, radiance, out);
+    if (!status)
+        status = SHI_FN(shi_check_spheres)(bands, planes, channels, nodes, 1, grid->origin, count, spheres, radiance, out);
     if (status || !nodes) return status;
     return SHI_FN(shi_spheres)(bands, planes, channels, nodes, NULL, grid, first, count, spheres, radiance, out);
 }

@@ -424,7 +424,7 @@ SHI_INLINE size_t SHI_FN(shi_locate)(const SHI_FN(shi_range) *r, SHI_T point, SH
     const int i = (int)cell;
 
     *t = inside - (SHI_T)i;
-    *rate = inside == x ? r->inverse : 0;
+    *rate = x >= r->low && x <= r->high * (1 + 4 * SHI_EPS) ? r->inverse : 0;      /* the last node, however it is rounded, is inside */
     return (size_t)i;
 }
 
@@ -567,8 +567,8 @@ SH_API int SHI_FN(sh_grid_interp)(int bands, int planes, int channels, const SHI
 /* The interpolant with its exact derivatives by the point, in the layout of a node with gradients: a grid resampled
  * is a grid, and a point interpolated is a sample for sh_sample_taylor.
  *   out   [count][channels][4][N]: coefficients (the bits of sh_grid_interp), d/dx, d/dy, d/dz
- * Derivatives across the border of a clamped query are 0. At a face of a C0 scheme they are those of the cell that
- * begins there, the last face those of the cell that ends there.
+ * Derivatives across the border of a clamped query are 0, on the border they are those of the cell that ends there. At an
+ * inner face of a C0 scheme they are those of one of its two cells: which, is a matter of rounding.
  * Error:  <= 16 eps of the largest datum as above, per cell size. */
 SH_API int SHI_FN(sh_grid_gradient_n)(int bands, int planes, int channels, const SHI_FN(sh_grid) *grid,
                                       const SHI_T *nodes, int scheme, int outside, size_t count,
@@ -708,9 +708,9 @@ SHI_NOINLINE int SHI_FN(shi_samples)(int bands, int planes, int channels, SHI_T 
  *   samples   [count][3], each coordinate within 1e18 of the point's (else SH_ERROR_NOT_FINITE)
  *   blocks    [count][channels][planes][N]
  *   coeffs    [channels][N], overlapping no input
- * At a sample the blend is that sample, to the bit (Eq. 16 is 0/0 there); samples in one place share its weight.
+ * At a sample the blend is that sample, to the bit (Eq. 16 is 0/0 there), if all data are finite; samples in one place share its weight.
  * Polynomials of the samples' order are reproduced. Cost: count * planes reads of N numbers, so choose few.
- * Error:  <= 16 eps of the largest |f_j| + |g_j| |d_j| + |H_j| |d_j|^2/2, 2-norms.
+ * Error:  <= (16 + count/64) eps of the largest |f_j| + |g_j| |d_j| + |H_j| |d_j|^2/2, 2-norms.
  * Source: A04 Eq. 14-16. */
 SH_API int SHI_FN(sh_samples_blend)(int bands, int planes, int channels, SHI_T power, size_t count,
                                     const SHI_T *samples, const SHI_T *blocks, const SHI_T point[3], SHI_T *coeffs)

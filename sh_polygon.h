@@ -5294,7 +5294,7 @@ SHI_NOINLINE int shi_within_engine(int bands, int sides, int tight, double toler
         }
         area = 0.5 * sqrt(shi_dot3(n2, n2));
         d = sqrt(shi_dot3(c, c));
-        if (!(area > 0) || !(d > 0)) continue;
+        if (!(area > 0)) continue;
         for (k = 0; k < 3; k++) {
             const double h = shi_dot3(e[k], e[k]);
             q += h / 12;
@@ -5302,7 +5302,7 @@ SHI_NOINLINE int shi_within_engine(int bands, int sides, int tight, double toler
         }
         reach = sqrt(reach);
         nearest = d - reach;
-        if (!(nearest > 0.2 * d)) {
+        if (!(d > 0 && nearest > 0.2 * d)) {                /* too near, or at the point */
             for (k = 0; k < 5; k++) total[k] = 1e300;
             continue;
         }
@@ -5396,15 +5396,15 @@ SHI_INLINE int SHI_FN(shi_polygon_check)(int bands, int sides, const SHI_T *poin
     return SH_OK;
 }
 
-/* coeffs[N] is required; it and grad[3][N], or NULL, are apart from each other and from what is read */
-SHI_INLINE int SHI_FN(shi_polygon_outputs)(int bands, const SHI_T *point, size_t count, const SHI_T *vertices,
-                                           const SHI_T *coeffs, const SHI_T *grad)
+/* value[n] is required; it and grad[3][n], or NULL, are apart from each other and from what is read */
+SHI_INLINE int SHI_FN(shi_polygon_outputs)(size_t n, const SHI_T *point, size_t count, const SHI_T *vertices,
+                                           const SHI_T *value, const SHI_T *grad)
 {
-    const size_t size = (size_t)bands * (size_t)bands * sizeof *coeffs, read = 3 * count * sizeof *vertices;
-    if (!coeffs) return SH_ERROR_NULL;
-    return shi_overlap(coeffs, size, vertices, read) || shi_overlap(coeffs, size, point, 3 * sizeof *point)
+    const size_t size = n * sizeof *value, read = 3 * count * sizeof *vertices;
+    if (!value) return SH_ERROR_NULL;
+    return shi_overlap(value, size, vertices, read) || shi_overlap(value, size, point, 3 * sizeof *point)
         || shi_overlap(grad, 3 * size, vertices, read) || shi_overlap(grad, 3 * size, point, 3 * sizeof *point)
-        || shi_overlap(grad, 3 * size, coeffs, size) ? SH_ERROR_OVERLAP : SH_OK;
+        || shi_overlap(grad, 3 * size, value, size) ? SH_ERROR_OVERLAP : SH_OK;
 }
 
 /* to T; beyond its range, its largest number */
@@ -5444,7 +5444,7 @@ SH_API int SHI_FN(sh_polygon)(int bands, int sides, const SHI_T point[3], size_t
     double p[3], c[SH_MAX_POLYGON_BANDS * SH_MAX_POLYGON_BANDS],
         g[3 * SH_MAX_POLYGON_BANDS * SH_MAX_POLYGON_BANDS];
     int k, status = SHI_FN(shi_polygon_check)(bands, sides, point, count, vertices);
-    if (!status) status = SHI_FN(shi_polygon_outputs)(bands, point, count, vertices, coeffs, grad);
+    if (!status) status = SHI_FN(shi_polygon_outputs)(size, point, count, vertices, coeffs, grad);
     if (status) return status;
     for (k = 0; k < 3; k++) p[k] = (double)point[k];
     status = shi_polygon_engine(bands, sides, SHI_BITS == 64, p, count, vertices, SHI_BITS == 32, c,
@@ -5463,8 +5463,8 @@ SH_API int SHI_FN(sh_polygon_solid_angle)(int sides, const SHI_T point[3], size_
     const double root = SHI_ROOT_FOUR_PI;          /* sqrt(4 pi) */
     double p[3], c[1], g[3];
     int k, status = SHI_FN(shi_polygon_check)(1, sides, point, count, vertices);
+    if (!status) status = SHI_FN(shi_polygon_outputs)(1, point, count, vertices, omega, grad);
     if (status) return status;
-    if (!omega) return SH_ERROR_NULL;
     for (k = 0; k < 3; k++) p[k] = (double)point[k];
     status = shi_polygon_engine(1, sides, SHI_BITS == 64, p, count, vertices, SHI_BITS == 32, c,
                                 grad ? g : NULL, NULL);
@@ -5509,7 +5509,11 @@ SH_API int SHI_FN(sh_triangle_as_sphere)(int bands, int sides, const SHI_T point
     if (!SHI_FN(shi_finite)(point, 3) || !SHI_FN(shi_finite)(a, 3) || !SHI_FN(shi_finite)(b, 3)
         || !SHI_FN(shi_finite)(c, 3))
         return SH_ERROR_NOT_FINITE;
-    if (shi_overlap(coeffs, size * sizeof *coeffs, grad, 3 * size * sizeof *grad)) return SH_ERROR_OVERLAP;
+    status = SHI_FN(shi_polygon_outputs)(size, point, 1, a, coeffs, grad);
+    if (!status) status = SHI_FN(shi_polygon_outputs)(size, b, 1, c, coeffs, grad);
+    if (status) return status;
+    if (shi_overlap(error, sizeof *error, coeffs, size * sizeof *coeffs)
+        || shi_overlap(error, sizeof *error, grad, 3 * size * sizeof *grad)) return SH_ERROR_OVERLAP;
     for (k = 0; k < 3; k++) {
         x[k] = (double)point[k];
         v[k] = (double)a[k];
@@ -5545,8 +5549,10 @@ SH_API int SHI_FN(sh_polygon_within)(int bands, int sides, SHI_T tolerance, cons
     double p[3], c[SH_MAX_POLYGON_BANDS * SH_MAX_POLYGON_BANDS],
         g[3 * SH_MAX_POLYGON_BANDS * SH_MAX_POLYGON_BANDS], e;
     int k, status = SHI_FN(shi_polygon_check)(bands, sides, point, count, vertices);
-    if (!status) status = SHI_FN(shi_polygon_outputs)(bands, point, count, vertices, coeffs, grad);
+    if (!status) status = SHI_FN(shi_polygon_outputs)(size, point, count, vertices, coeffs, grad);
     if (status) return status;
+    if (shi_overlap(error, sizeof *error, coeffs, size * sizeof *coeffs)
+        || shi_overlap(error, sizeof *error, grad, 3 * size * sizeof *grad)) return SH_ERROR_OVERLAP;
     if (!SHI_FN(shi_finite)(&tolerance, 1) || tolerance < 0) return SH_ERROR_OPTION;
     for (k = 0; k < 3; k++) p[k] = (double)point[k];
     status = shi_within_engine(bands, sides, SHI_BITS == 64, (double)tolerance, p, count, vertices,
@@ -5571,6 +5577,7 @@ SHI_INLINE int SHI_FN(shi_polygons_check)(int bands, int planes, int channels, i
     if (sides < SH_BOTH || sides > SH_SIGNED) return SH_ERROR_OPTION;
     if (!points) return SH_OK;
     if (!out || (polygons && (!counts || !vertices))) return SH_ERROR_NULL;
+    if (points > SHI_MOST_ITEMS / (size_t)channels || polygons > SHI_MOST_ITEMS / (size_t)channels) return SH_ERROR_COUNT;
     for (i = 0; i < polygons; i++) {
         if (counts[i] < 3) return SH_ERROR_VERTICES;
         total += (size_t)counts[i];
@@ -5891,6 +5898,7 @@ SH_API int SHI_FN(sh_polygon_zonal)(int bands, const SHI_T axis[3], const SHI_T 
     double a[3], p[3], out[SH_MAX_POLYGON_BANDS], g[3 * SH_MAX_POLYGON_BANDS], size = 0;
     int k, status = axis && s ? SHI_FN(shi_polygon_check)(bands, SH_BOTH, point, count, vertices)
                               : SH_ERROR_NULL;
+    if (!status) status = SHI_FN(shi_polygon_outputs)((size_t)bands, point, count, vertices, s, grad);
     if (status) return status;
     if (!SHI_FN(shi_finite)(axis, 3)) return SH_ERROR_NOT_FINITE;
     for (k = 0; k < 3; k++) {
@@ -6095,6 +6103,16 @@ SH_API int SHI_FN(sh_textured_quad)(const SHI_T quad[12], int width, int height,
     if (width < 1 || height < 1 || channels < 1) return SH_ERROR_COUNT;
     if (!SHI_FN(shi_finite)(quad, 12)) return SH_ERROR_NOT_FINITE;
     if (!(tolerance >= 0)) return SH_ERROR_OPTION;
+    {
+        const size_t read = (size_t)width * (size_t)height * (size_t)channels * sizeof *texels;
+        const size_t last = counts && vertices && radiance ? most : 0;              /* pieces that may be written */
+        if (shi_overlap(quad, 12 * sizeof *quad, vertices, 12 * last * sizeof *vertices)
+            || shi_overlap(quad, 12 * sizeof *quad, radiance, (size_t)channels * last * sizeof *radiance)
+            || shi_overlap(texels, read, vertices, 12 * last * sizeof *vertices)
+            || shi_overlap(texels, read, radiance, (size_t)channels * last * sizeof *radiance)
+            || shi_overlap(vertices, 12 * last * sizeof *vertices, radiance, (size_t)channels * last * sizeof *radiance))
+            return SH_ERROR_OVERLAP;
+    }
     for (pass = 0; pass < (counts && vertices && radiance ? 2 : 1); pass++) {
         size_t n = 0;
         stack[0] = stack[1] = 0;

@@ -100,7 +100,7 @@ SHI_INLINE void shi_power(int bands, double s, double *zh)
 {
     int l;
     for (l = 0; l < bands; l++)
-        zh[l] = l == 0 ? 1 / (s + 1) : l == 1 ? 1 / (s + 2) : zh[l - 2] * (s - l + 2) / (s + l + 1);
+        zh[l] = l == 0 ? 1 / (s + 1) : l == 1 ? 1 / (s + 2) : zh[l - 2] * (s - (l - 2)) / (s + l + 1);
     for (l = 0; l < bands; l++) zh[l] *= sqrt((2 * l + 1) * 0.07957747154594767);
 }
 
@@ -1535,7 +1535,7 @@ SH_API int SHI_FN(sh_rotate)(int bands, const SHI_FN(sh_rotation) *r, size_t cou
 {
     const int status = SHI_FN(shi_vectors)(bands, SH_PRODUCT_BANDS, count, in, out);
     if (status) return status;
-    if (!r) return SH_ERROR_NULL;
+    if (count && !r) return SH_ERROR_NULL;
     SHI_MANY(shi_prod_rotate_all)(bands, 1, SHI_FN(shi_swap), r->angle[0], count, in, out);
     return SH_OK;
 }
@@ -1547,7 +1547,7 @@ SH_API int SHI_FN(sh_rotate_blocks)(int bands, const SHI_FN(sh_rotation) *r, siz
     const size_t count = shi_block_items(blocks);
     const int status = SHI_FN(shi_vectors)(bands, SH_PRODUCT_BANDS, count, in, out);
     if (status) return status;
-    if (!r) return SH_ERROR_NULL;
+    if (count && !r) return SH_ERROR_NULL;
     SHI_MANY(shi_prod_rotate_all)(bands, 0, SHI_FN(shi_swap), r->angle[0], count, in, out);
     return SH_OK;
 }
@@ -1579,7 +1579,7 @@ SH_API int SHI_FN(sh_permute_axes)(int bands, const int axes[3], size_t count, c
 
     if (status) return status;
     if (!axes) return SH_ERROR_NULL;
-    for (k = 0; k < 3; k++) a[k] = axes[k] < 0 ? -axes[k] - 1 : axes[k] - 1;
+    for (k = 0; k < 3; k++) a[k] = axes[k] < 0 ? -(axes[k] + 1) : axes[k] - 1;
     if ((unsigned)a[0] > 2 || (unsigned)a[1] > 2 || (unsigned)a[2] > 2
         || a[0] == a[1] || a[0] == a[2] || a[1] == a[2])
         return SH_ERROR_OPTION;
@@ -1795,6 +1795,7 @@ SH_API int SHI_FN(sh_scale_bands)(int bands, const SHI_T *factors, const SHI_T *
     int l, m;
     if (status) return status;
     if (!factors) return SH_ERROR_NULL;
+    if (shi_overlap(factors, (size_t)bands * sizeof *factors, out, (size_t)(bands * bands) * sizeof *out)) return SH_ERROR_OVERLAP;
     for (l = 0; l < bands; l++)
         for (m = -l; m <= l; m++) out[l * (l + 1) + m] = factors[l] * in[l * (l + 1) + m];
     return SH_OK;
@@ -1825,8 +1826,9 @@ SH_API int SHI_FN(sh_diffuse_n)(int bands, const SHI_T *coeffs, size_t count, co
                                 SHI_T *irradiance)
 {
     SHI_T zh[SH_MAX_BANDS], c[SH_MAX_BANDS * SH_MAX_BANDS];
-    if (!coeffs || (count && (!normals || !irradiance))) return SH_ERROR_NULL;
     if (bands < 1 || bands > SH_MAX_BANDS) return SH_ERROR_BANDS;
+    if (!count) return SH_OK;
+    if (!coeffs || !normals || !irradiance) return SH_ERROR_NULL;
     if (shi_overlap(coeffs, (size_t)(bands * bands) * sizeof *coeffs, irradiance, count * sizeof *irradiance))
         return SH_ERROR_OVERLAP;
     SHI_FN(sh_zonal_cosine)(bands, zh);
@@ -1855,6 +1857,7 @@ SH_API int SHI_FN(sh_cosine_product_zonal)(int bands, int zonal_bands, const SHI
     SHI_FN(sh_zonal_cosine)(zonal_bands, zh);
     status = SHI_FN(sh_zonal_rotate)(zonal_bands, zh, normal, cosine);
     if (status) return status;
+    if (shi_overlap(normal, 3 * sizeof *normal, out, (size_t)(bands * bands) * sizeof *out)) return SH_ERROR_OVERLAP;
     return SHI_FN(shi_products)(bands, zonal_bands, bands, 1, coeffs, cosine, out);
 }
 
@@ -1865,8 +1868,8 @@ SH_API int SHI_FN(sh_cosine_product_zonal)(int bands, int zonal_bands, const SHI
  *   ours     [bands^2]
  *   theirs   [sh_convention_size(convention, bands)], apart from ours
  *
- * Exact where the systems differ in order, sign and axes; else each number is within eps/2, and there and
- * back within eps. */
+ * Exact where the systems differ in order, sign and axes; else each number is within one eps, also there and back.
+ * Forms that mix coefficients (unity-packed, babylon-polynomial): within 8 eps of the largest of them. */
 SH_API int SHI_FN(sh_convert_to)(int convention, int bands, const SHI_T *ours, SHI_T *theirs)
 {
     const shi_convention *c = shi_find_convention(convention);
@@ -1985,30 +1988,25 @@ SH_API int SHI_FN(sh_window)(int kind, int bands, SHI_T width, SHI_T *factors)
     return SH_OK;
 }
 
-/* Move a unit direction downhill on f = sum c_i Y_i by Newton's method on the sphere; returns f there. */
+/* From u downhill to a local minimum, by Newton's method with the Hessian's eigenvalues made positive, and halved steps. */
 SHI_INLINE SHI_T SHI_FN(shi_descend)(int bands, const SHI_T *c, SHI_T u[3])
 {
     SHI_T y[SH_MAX_BANDS * SH_MAX_BANDS], g[3 * SH_MAX_BANDS * SH_MAX_BANDS];
     SHI_T h[6 * SH_MAX_BANDS * SH_MAX_BANDS];
     const int n = bands * bands;
-    double best = 0, v[3];
-    int turn, i, k;
+    double best = 0;
+    int turn, i, k, half, lower = 1;
 
-    for (k = 0; k < 3; k++) v[k] = (double)u[k];
-    for (turn = 0; turn < 12; turn++) {
-        double f = 0, grad[3] = { 0, 0, 0 }, hess[6] = { 0, 0, 0, 0, 0, 0 };
-        double e[2][3], a, b, d, ga, gb, det, step, sa, sb, len;
-        SHI_T w[3];
-        for (k = 0; k < 3; k++) w[k] = (SHI_T)v[k];
-        SHI_FN(sh_eval_hessian)(bands, w, y, g, h);
+    for (turn = 0; turn < 50 && lower; turn++) {
+        double f = 0, grad[3] = { 0, 0, 0 }, hess[6] = { 0, 0, 0, 0, 0, 0 }, v[3], e[2][3], s[3] = { 0, 0, 0 }, a, b, d, mean, r, len;
+        for (k = 0; k < 3; k++) v[k] = (double)u[k];
+        SHI_FN(sh_eval_hessian)(bands, u, y, g, h);
         for (i = 0; i < n; i++) {
             f += (double)c[i] * (double)y[i];
             for (k = 0; k < 3; k++) grad[k] += (double)c[i] * (double)g[k * n + i];
             for (k = 0; k < 6; k++) hess[k] += (double)c[i] * (double)h[k * n + i];
         }
-        if (turn > 0 && f >= best) break;
         best = f;
-        for (k = 0; k < 3; k++) u[k] = w[k];
         k = fabs(v[0]) < fabs(v[1]) ? (fabs(v[0]) < fabs(v[2]) ? 0 : 2) : fabs(v[1]) < fabs(v[2]) ? 1 : 2;
         for (i = 0; i < 3; i++) e[0][i] = (i == k) - v[k] * v[i];
         len = sqrt(e[0][0] * e[0][0] + e[0][1] * e[0][1] + e[0][2] * e[0][2]);
@@ -2022,73 +2020,98 @@ SHI_INLINE SHI_T SHI_FN(shi_descend)(int bands, const SHI_T *c, SHI_T u[3])
         b = SHI_FORM(e[0], e[1]);
         d = SHI_FORM(e[1], e[1]);
 #undef SHI_FORM
-        ga = grad[0] * e[0][0] + grad[1] * e[0][1] + grad[2] * e[0][2];
-        gb = grad[0] * e[1][0] + grad[1] * e[1][1] + grad[2] * e[1][2];
-        det = a * d - b * b;
-        if (det > 0 && a + d > 0) {
-            sa = -(d * ga - b * gb) / det;
-            sb = -(a * gb - b * ga) / det;
-        } else {
-            sa = -ga;
-            sb = -gb;
+        mean = 0.5 * (a + d);
+        r = sqrt(0.25 * (a - d) * (a - d) + b * b);
+        for (k = 0; k < 2; k++) {                           /* along the eigenvector of mean + r, then of mean - r */
+            const double p = b < 0 ? -0.5 : 0.5, t = r > 0 ? 0.5 * (a - d) / r : 1;     /* cos of twice its angle */
+            const double co = sqrt(0.5 * (1 + t)), si = 2 * p * sqrt(0.5 * (1 - t)), x = k ? -si : co, z = k ? co : si;
+            const double value = fabs(k ? mean - r : mean + r), least = 1e-6 * (fabs(mean) + r);
+            double slope = 0;
+            for (i = 0; i < 3; i++) slope += grad[i] * (x * e[0][i] + z * e[1][i]);
+            for (i = 0; i < 3 && value > 0; i++) s[i] -= slope / (value > least ? value : least) * (x * e[0][i] + z * e[1][i]);
         }
-        step = sqrt(sa * sa + sb * sb);
-        if (!(step > 0)) break;
-        len = step > 0.5 / bands ? 0.5 / (bands * step) : 1;
-        for (i = 0; i < 3; i++) v[i] += len * (sa * e[0][i] + sb * e[1][i]);
-        len = sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
-        for (i = 0; i < 3; i++) v[i] /= len;
+        len = sqrt(s[0] * s[0] + s[1] * s[1] + s[2] * s[2]);
+        if (!(len > 0)) break;
+        len = len > 0.5 / bands ? 0.5 / (bands * len) : 1;
+        for (half = 0, lower = 0; half < 30 && !lower; half++, len *= 0.5) {
+            SHI_T w[3];
+            double at[3], size, there = 0;
+            for (i = 0; i < 3; i++) at[i] = v[i] + len * s[i];
+            size = sqrt(at[0] * at[0] + at[1] * at[1] + at[2] * at[2]);
+            for (i = 0; i < 3; i++) w[i] = (SHI_T)(at[i] / size);
+            SHI_FN(sh_eval)(bands, w, y);
+            for (i = 0; i < n; i++) there += (double)c[i] * (double)y[i];
+            lower = there < best;
+            for (i = 0; i < 3 && lower; i++) u[i] = w[i];
+        }
     }
     return (SHI_T)best;
 }
 
+/* points of a spiral that covers the sphere, from number `first` */
+SHI_INLINE void SHI_FN(shi_spiral)(int points, int first, int count, SHI_T *dirs)
+{
+    int i;
+    for (i = 0; i < count; i++) {
+        const double z = 1 - (2 * (first + i) + 1.0) / points, s = sqrt(1 - z * z), f = 2.399963229728653 * (first + i);
+        dirs[3 * i] = (SHI_T)(s * cos(f));
+        dirs[3 * i + 1] = (SHI_T)(s * sin(f));
+        dirs[3 * i + 2] = (SHI_T)z;
+    }
+}
+
 /* Smallest value of sum c_i Y_i on the sphere, and where. dir [3] and value may be NULL. Bands to 32.
- * Samples 24 bands^2 + 64 points of a spiral, then Newton's method from the eight lowest that are not
- * neighbours: a true local minimum, and the global one unless eight others lie lower at the samples. */
+ * Samples 24 bands^2 + 64 points of a spiral; from each that lies within a tenth of the samples' range of the lowest, and
+ * has no lower one beside it that was a start, goes downhill. Between samples the sum cannot fall further than that
+ * (Bernstein's inequality), so what is found is the global minimum.
+ * Error:  40 eps |coeffs| bands/3.5, and what is flat: steps end where the sum does not fall any more. */
 SH_API int SHI_FN(sh_minimum)(int bands, const SHI_T *coeffs, SHI_T *dir, SHI_T *value)
 {
-    enum { SHI_STARTS = 8, SHI_CHUNK = 64 };
-    SHI_T dirs[3 * SHI_CHUNK], values[SHI_CHUNK], start[SHI_STARTS][3], low[SHI_STARTS], best;
+    enum { SHI_STARTS = 32, SHI_CHUNK = 64 };
+    SHI_T dirs[3 * SHI_CHUNK], values[SHI_CHUNK], start[SHI_STARTS][3], low[SHI_STARTS], best = 0, lowest = 0, highest = 0, where[3] = { 0, 0, 1 };
     const int points = 24 * bands * bands + 64;
-    const double apart = 1 - 8.0 / points;                  /* cosine of about twice the spacing */
-    int first, i, j, k, used = 0, at = 0;
+    const double apart = 1 - 6.0 / points;                  /* cosine of about the spacing */
+    int pass, first, i, j, k, used = 0;
 
     if (!coeffs) return SH_ERROR_NULL;
     if (bands < 1 || bands > SH_MAX_BANDS) return SH_ERROR_BANDS;
-    for (first = 0; first < points; first += SHI_CHUNK) {
-        const int count = points - first < SHI_CHUNK ? points - first : SHI_CHUNK;
-        for (i = 0; i < count; i++) {
-            const double z = 1 - (2 * (first + i) + 1.0) / points, s = sqrt(1 - z * z);
-            const double f = 2.399963229728653 * (first + i);
-            dirs[3 * i] = (SHI_T)(s * cos(f));
-            dirs[3 * i + 1] = (SHI_T)(s * sin(f));
-            dirs[3 * i + 2] = (SHI_T)z;
+    if (shi_overlap(dir, 3 * sizeof *dir, value, sizeof *value)) return SH_ERROR_OVERLAP;
+    for (pass = 0; pass < 2 && (pass == 0 || lowest < highest); pass++)
+        for (first = 0; first < points; first += SHI_CHUNK) {
+            const int count = points - first < SHI_CHUNK ? points - first : SHI_CHUNK;
+            SHI_FN(shi_spiral)(points, first, count, dirs);
+            SHI_FN(sh_reconstruct_n)(bands, coeffs, (size_t)count, dirs, values, NULL);
+            for (i = 0; i < count; i++) {
+                const SHI_T *const d = dirs + 3 * i;
+                int beside = 0;
+                if (pass == 0) {
+                    if (first + i == 0 || values[i] > highest) highest = values[i];
+                    if (first + i == 0 || values[i] < lowest) {
+                        best = lowest = values[i];
+                        for (k = 0; k < 3; k++) where[k] = d[k];
+                    }
+                    continue;
+                }
+                if (!(values[i] <= lowest + SHI_C(0.1) * (highest - lowest))) continue;
+                for (j = 0; j < SHI_STARTS && j < used; j++)
+                    if (low[j] <= values[i] && (double)(d[0] * start[j][0] + d[1] * start[j][1] + d[2] * start[j][2]) > apart) beside = 1;
+                if (beside) continue;
+                j = used++ % SHI_STARTS;                    /* the oldest is forgotten: a start more, not a minimum less */
+                low[j] = values[i];
+                for (k = 0; k < 3; k++) start[j][k] = d[k];
+                {
+                    SHI_T u[3], v;
+                    for (k = 0; k < 3; k++) u[k] = d[k];
+                    v = SHI_FN(shi_descend)(bands, coeffs, u);
+                    if (v < best || used == 1) {
+                        best = v;
+                        for (k = 0; k < 3; k++) where[k] = u[k];
+                    }
+                }
+            }
         }
-        SHI_FN(sh_reconstruct_n)(bands, coeffs, (size_t)count, dirs, values, NULL);
-        for (i = 0; i < count; i++) {
-            const SHI_T *d = dirs + 3 * i;
-            int slot = -1, worst = 0, fresh = 0;
-            for (j = 0; j < used; j++) {
-                if ((double)(d[0] * start[j][0] + d[1] * start[j][1] + d[2] * start[j][2]) > apart) slot = j;
-                if (low[j] > low[worst]) worst = j;
-            }
-            if (slot < 0) {
-                fresh = used < SHI_STARTS;
-                slot = fresh ? used++ : worst;
-            }
-            if (fresh || values[i] < low[slot]) {
-                low[slot] = values[i];
-                for (k = 0; k < 3; k++) start[slot][k] = d[k];
-            }
-        }
-    }
-    best = low[0];
-    for (j = 0; j < used; j++) {
-        const SHI_T v = SHI_FN(shi_descend)(bands, coeffs, start[j]);
-        if (j == 0 || v < best) { best = v; at = j; }
-    }
     if (value) *value = best;
-    for (k = 0; dir && k < 3; k++) dir[k] = start[at][k];
+    for (k = 0; dir && k < 3; k++) dir[k] = where[k];
     return SH_OK;
 }
 
@@ -2130,7 +2153,7 @@ SH_API int SHI_FN(sh_dering)(int kind, int bands, int channels, const SHI_T *in,
     if (bands < 1 || bands > SH_MAX_BANDS) return SH_ERROR_BANDS;
     if (channels < 1 || channels > 1 << 16) return SH_ERROR_COUNT;
     bytes = (size_t)(channels * bands * bands) * sizeof *in;
-    if (shi_overlap(in, bytes, out, bytes)) return SH_ERROR_OVERLAP;
+    if (shi_overlap(in, bytes, out, bytes) || shi_overlap(width, sizeof *width, out, bytes)) return SH_ERROR_OVERLAP;
     if (kind < SH_HANN || kind > SH_GAUSS) return SH_ERROR_OPTION;
     if (!SHI_FN(shi_finite)(in, bytes / sizeof *in)) return SH_ERROR_NOT_FINITE;
     for (c = 0; c < channels; c++) {

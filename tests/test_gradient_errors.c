@@ -150,6 +150,8 @@ static void F(structure)(void **state)
     /* counts so large that their size in bytes wraps around */
     REFUSED(SH_ERROR_COUNT, F(sh_eval_n)(2, (size_t)-1 / 2, d, o));
     REFUSED(SH_ERROR_COUNT, F(sh_reconstruct_n)(2, zh, (size_t)-1 / 2, d, o, o + 16));
+    REFUSED(SH_ERROR_NULL, F(sh_spheres_n)(2, SH_GRADIENT, 1, 1, NULL, 0, NULL, NULL, o));
+    REFUSED(SH_ERROR_NULL, F(sh_spheres)(2, SH_GRADIENT, 1, NULL, 0, NULL, NULL, o));
     REFUSED(SH_ERROR_COUNT, F(sh_eval_blocks)(2, (size_t)-1 / SH_BLOCK + 1, d, o));      /* 8 times that is 0 */
     REFUSED(SH_ERROR_COUNT, F(sh_eval_grad_blocks)(2, (size_t)-1 / SH_BLOCK + 1, d, o, NULL));
     REFUSED(SH_ERROR_COUNT, F(sh_eval_hessian_blocks)(2, (size_t)-1 / SH_BLOCK + 1, d, o, NULL, NULL));

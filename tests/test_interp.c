@@ -283,7 +283,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         BOTH_TESTS(polynomials), BOTH_TESTS(arithmetic), BOTH_TESTS(gradients), BOTH_TESTS(smoothness),
-        BOTH_TESTS(outside), BOTH_TESTS(one_node), BOTH_TESTS(many), BOTH_TESTS(fused), BOTH_TESTS(scattered),
+        BOTH_TESTS(outside), BOTH_TESTS(one_node), BOTH_TESTS(many), BOTH_TESTS(fused), BOTH_TESTS(last_face), BOTH_TESTS(scattered),
         BOTH_TESTS(statuses), cmocka_unit_test(convergence), cmocka_unit_test(side_by_side)
     };
     return RUN_TESTS(tests);
@@ -660,6 +660,27 @@ static long double F(polynomial)(int terms, int e[][3], const long double *c, co
         sum += v;
     }
     return sum;
+}
+
+/* The last node of a clamped axis, however origin + 3 cell is rounded: the derivative of the cell that ends there. */
+static void F(last_face)(void **state)
+{
+    row *r = row_open("slope at the last node", PRECISION);
+    int turn;
+    (void)state;
+    for (turn = 0; turn < effort(2000); turn++) {
+        static const T nodes[4] = { 0, 1, 2, 3 };
+        F(sh_grid) grid = { { 0, 0, 0 }, { 1, 1, 1 }, { 4, 1, 1 } };
+        T point[3] = { 0, 0, 0 }, out[4];
+        grid.cell[0] = (T)ref_log_between(1e-3, 1e3);
+        grid.origin[0] = turn % 2 ? 0 : (T)ref_between(-1, 1) * grid.cell[0];
+        point[0] = grid.origin[0] + 3 * grid.cell[0];
+        assert_int_equal(F(sh_grid_gradient)(1, SH_VALUES, 1, &grid, nodes, SH_TRILINEAR, SH_CLAMP, point, out), SH_OK);
+        row_case("cell %.9g", (double)grid.cell[0]);
+        CHECK(r, out[0], 3, 16 * 3 * LEPS, 0);
+        CHECK(r, out[1], 1 / (long double)grid.cell[0], 16 * 3 * LEPS / (long double)grid.cell[0], 1);
+    }
+    row_close(r);
 }
 
 /* A04's scattered samples. */

@@ -407,6 +407,8 @@ static void F(statuses)(void **state)
     assert_int_equal(F(sh_polygons_n)(4, 2, 1, SH_BOTH, 1, p, 1, counts, v, NULL, out), SH_ERROR_OPTION);
     assert_int_equal(F(sh_polygons_n)(4, SH_VALUES, 2, SH_BOTH, 1, p, 1, counts, v, NULL, out),
                      SH_ERROR_COUNT);
+    assert_int_equal(F(sh_polygons_n)(2, SH_VALUES, 1, SH_BOTH, (size_t)-1 / 8, p, 1, counts, v, NULL, out), SH_ERROR_COUNT);
+    assert_int_equal(F(sh_polygons_zonal_n)(2, SH_VALUES, 1, SH_BOTH, (size_t)-1 / 8, p, 1, counts, v, NULL, out), SH_ERROR_COUNT);
     assert_int_equal(F(sh_polygons_n)(17, SH_VALUES, 1, SH_BOTH, 1, p, 1, counts, v, NULL, out),
                      SH_ERROR_BANDS);
     assert_int_equal(F(sh_polygons_n)(4, SH_VALUES, 1, 5, 1, p, 1, counts, v, NULL, out), SH_ERROR_OPTION);
@@ -650,6 +652,17 @@ static void F(within)(void **state)
         ways[used]++;
     }
     for (i = 0; i < 4; i++) assert_true(ways[i] >= effort(1500) / 75 || effort(1500) < 400);
+    {   /* the center of one triangle of the fan at the point, of a quadrilateral that is not flat: nothing bounds that */
+        static const T v[12] = { 1, (T)-0.125, 0, -2, 0, 0, 1, (T)0.125, 0, 1, 0, (T)0.25 }, p[3] = { 0, 0, 0 };
+        T c[4], exact[4], error = 0;
+        long double total = 0;
+        int used = 0;
+        assert_int_equal(F(sh_polygon)(2, SH_SIGNED, p, 4, v, exact, NULL), SH_OK);
+        assert_int_equal(F(sh_polygon_within)(2, SH_SIGNED, (T)0.5, p, 4, v, c, NULL, &error, &used), SH_OK);
+        for (k = 0; k < 4; k++) total += ((long double)c[k] - exact[k]) * ((long double)c[k] - exact[k]);
+        row_case("a point in the middle of a fan triangle, way %d", used);
+        row_check(w, sqrtl(total), 0, (long double)error + 64 * (long double)EPS * 13, 0);
+    }
     row_close(w);
     row_close(given);
 }

@@ -33,12 +33,39 @@ static long double lowest_on_grid(int bands, const long double *c)
     return low;
 }
 
+/* Lowest value of sum zh_l Y_l0 over the angle to the axis: a fine scan, then golden sections. */
+static long double profile(int bands, const long double *zh, long double t)
+{
+    const long double u[3] = { sinl(t), 0, cosl(t) };
+    long double y[REF_MAX], f = 0;
+    int l;
+    ref_values(bands, u, y);
+    for (l = 0; l < bands; l++) f += zh[l] * y[l * (l + 1)];
+    return f;
+}
+static long double lowest_of_profile(int bands, const long double *zh)
+{
+    long double low = 1e300L, at = 0, a, b;
+    int i;
+    for (i = 0; i <= 2000; i++) {
+        const long double f = profile(bands, zh, REF_PI * i / 2000);
+        if (f < low) { low = f; at = REF_PI * i / 2000; }
+    }
+    for (a = at - REF_PI / 2000, b = at + REF_PI / 2000, i = 0; i < 60; i++) {
+        const long double c = b - (b - a) * 0.6180339887498948482L, d = a + (b - a) * 0.6180339887498948482L;
+        if (profile(bands, zh, c) < profile(bands, zh, d)) b = d;
+        else a = c;
+    }
+    return fminl(low, profile(bands, zh, (a + b) / 2));
+}
+
 #define BOTH "test_product_ringing.c"
 #include "both.h"
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = { BOTH_TESTS(windows), BOTH_TESTS(minimum), BOTH_TESTS(dering) };
+    const struct CMUnitTest tests[] = { BOTH_TESTS(windows), BOTH_TESTS(minimum), BOTH_TESTS(rings),
+                                        BOTH_TESTS(dering) };
     return RUN_TESTS(tests);
 }
 
@@ -80,7 +107,7 @@ static void F(minimum)(void **state)
     for (turn = 0; turn < effort(36); turn++) {
         const int bands = 1 + turn % 9, n = bands * bands;
         const double scale = turn / 9 % 2 ? 1e20 : 1;                   /* where v + 1 is v */
-        T c[81], u[3], value;
+        T c[81], u[3], value = 0;
         long double lc[81], v[3], y[81], f = 0, size = 0, low;
 
         for (i = 0; i < n; i++) { c[i] = (T)(scale * ref_between(-1, 1)); lc[i] = (long double)c[i]; size += lc[i] * lc[i]; }
@@ -95,6 +122,46 @@ static void F(minimum)(void **state)
         ref_values(bands, v, y);
         for (i = 0; i < n; i++) f += lc[i] * y[i];
         row_check(wd, (long double)value, f, 40 * (long double)EPS * size, 0);
+    }
+    row_close(w); row_close(wd);
+}
+
+/* Zonal functions about any axis, whose minima are rings: the lowest ring is found, and the bottom of it; deringed, none is
+ * below zero. */
+static void F(rings)(void **state)
+{
+    row *w = row_open("minimum of zonal functions", PRECISION), *wd = row_open("deringed zonal functions", PRECISION);
+    int turn, l, k;
+
+    (void)state;
+    for (turn = 0; turn < effort(60); turn++) {
+        const int bands = 2 + turn % 8, n = bands * bands;
+        T zh[9], factors[9] = { 0 }, c[81], out[81], axis[3], value = 0, width = 0;
+        long double want[9], size = 0;
+        double u[3];
+
+        ref_unit(u);
+        for (k = 0; k < 3; k++) axis[k] = (T)u[k];
+        for (l = 0; l < bands; l++) {
+            zh[l] = (T)(turn % 3 ? ref_between(-1, 1) : floor(ref_between(-1, 2)));
+            want[l] = (long double)zh[l];
+        }
+        if (turn < 8) zh[0] += 1;
+        want[0] = (long double)zh[0];
+        for (l = 0; l < bands; l++) size += want[l] * want[l];
+        size = sqrtl(size) * bands / 3.5L;
+        assert_int_equal(F(sh_zonal_rotate)(bands, zh, axis, c), SH_OK);
+        assert_int_equal(F(sh_minimum)(bands, c, NULL, &value), SH_OK);
+        row_case("bands %d, turn %d", bands, turn);
+        row_check(w, (long double)value, lowest_of_profile(bands, want), 40 * (long double)EPS * size, 0);
+        if (!(zh[0] > 0)) continue;
+        assert_int_equal(F(sh_dering)(1 + turn % 3, bands, 1, c, out, &width), SH_OK);
+        if (width > 0) {
+            F(sh_window)(1 + turn % 3, bands, width, factors);
+            for (l = 0; l < bands; l++) want[l] *= (long double)factors[l];
+        }
+        for (k = 0; k < n && width == 0; k++) assert_true(out[k] == c[k]);
+        row_check(wd, fminl(0, lowest_of_profile(bands, want)), 0, 40 * (long double)EPS * size, 0);
     }
     row_close(w); row_close(wd);
 }
