@@ -253,7 +253,7 @@ SH_API const char *sh_status_string(int status)
     case SH_ERROR_OVERLAP:    return "input and output overlap";
     case SH_ERROR_DIRECTION:  return "direction is zero or its length out of range";
     case SH_ERROR_NOT_FINITE: return "NaN or infinite input";
-    case SH_ERROR_RADIUS:     return "radius or depth or angle out of range";
+    case SH_ERROR_RADIUS:     return "radius or angle out of range";
     case SH_ERROR_VERTICES:   return "polygon has fewer than three vertices";
     case SH_ERROR_MATRIX:     return "matrix is not a rotation";
     case SH_ERROR_OPTION:     return "unknown option";

@@ -51,6 +51,7 @@
 
 enum { SH_PRODUCT_BANDS = 16 };         /* most bands of rotations and products */
 enum { SH_HANN = 1, SH_LANCZOS = 2, SH_GAUSS = 3 };
+enum { SHI_KEPT = 1024, SHI_CHUNK = 64 };              /* samples that sh_minimum keeps, and takes at once */
 
 /* Entries of band l in the table of swaps. */
 SHI_INLINE int shi_swap_size(int l)
@@ -1995,10 +1996,10 @@ SHI_INLINE SHI_T SHI_FN(shi_descend)(int bands, const SHI_T *c, SHI_T u[3])
     SHI_T h[6 * SH_MAX_BANDS * SH_MAX_BANDS];
     const int n = bands * bands;
     double best = 0;
-    int turn, i, k, half, lower = 1;
+    int turn, i, k, half, goes_on = 1;
 
-    for (turn = 0; turn < 50 && lower; turn++) {
-        double f = 0, grad[3] = { 0, 0, 0 }, hess[6] = { 0, 0, 0, 0, 0, 0 }, v[3], e[2][3], s[3] = { 0, 0, 0 }, a, b, d, mean, r, len;
+    for (turn = 0; turn < 50 && goes_on; turn++) {
+        double f = 0, grad[3] = { 0, 0, 0 }, hess[6] = { 0, 0, 0, 0, 0, 0 }, v[3], e[2][3], s[3] = { 0, 0, 0 }, a, b, d, mean, r, len, step;
         for (k = 0; k < 3; k++) v[k] = (double)u[k];
         SHI_FN(sh_eval_hessian)(bands, u, y, g, h);
         for (i = 0; i < n; i++) {
@@ -2030,10 +2031,10 @@ SHI_INLINE SHI_T SHI_FN(shi_descend)(int bands, const SHI_T *c, SHI_T u[3])
             for (i = 0; i < 3; i++) slope += grad[i] * (x * e[0][i] + z * e[1][i]);
             for (i = 0; i < 3 && value > 0; i++) s[i] -= slope / (value > least ? value : least) * (x * e[0][i] + z * e[1][i]);
         }
-        len = sqrt(s[0] * s[0] + s[1] * s[1] + s[2] * s[2]);
-        if (!(len > 0)) break;
-        len = len > 0.5 / bands ? 0.5 / (bands * len) : 1;
-        for (half = 0, lower = 0; half < 30 && !lower; half++, len *= 0.5) {
+        step = sqrt(s[0] * s[0] + s[1] * s[1] + s[2] * s[2]);
+        len = step > 0.5 / bands ? 0.5 / (bands * step) : 1;
+        goes_on = 0;
+        for (half = 0; half < 20 && len * step > 1e-8; half++, len *= 0.5) {
             SHI_T w[3];
             double at[3], size, there = 0;
             for (i = 0; i < 3; i++) at[i] = v[i] + len * s[i];
@@ -2041,76 +2042,94 @@ SHI_INLINE SHI_T SHI_FN(shi_descend)(int bands, const SHI_T *c, SHI_T u[3])
             for (i = 0; i < 3; i++) w[i] = (SHI_T)(at[i] / size);
             SHI_FN(sh_eval)(bands, w, y);
             for (i = 0; i < n; i++) there += (double)c[i] * (double)y[i];
-            lower = there < best;
-            for (i = 0; i < 3 && lower; i++) u[i] = w[i];
+            if (!(there < best)) continue;
+            for (i = 0; i < 3; i++) u[i] = w[i];
+            best = there;
+            goes_on = len * step > 1e-5;                    /* the next step would be about its square */
+            break;
         }
     }
     return (SHI_T)best;
 }
 
-/* points of a spiral that covers the sphere, from number `first` */
-SHI_INLINE void SHI_FN(shi_spiral)(int points, int first, int count, SHI_T *dirs)
+/* Samples of the sum at 24 bands^2 + 64 points of a spiral, the latest SHI_KEPT of them. */
+typedef struct { SHI_T dirs[3 * SHI_KEPT], values[SHI_KEPT]; } SHI_FN(shi_samples_kept);
+
+SHI_INLINE void SHI_FN(shi_sample)(int bands, const SHI_T *c, int points, int first, SHI_FN(shi_samples_kept) *s)
 {
+    const int at = first % SHI_KEPT, count = points - first < SHI_CHUNK ? points - first : SHI_CHUNK;
     int i;
     for (i = 0; i < count; i++) {
-        const double z = 1 - (2 * (first + i) + 1.0) / points, s = sqrt(1 - z * z), f = 2.399963229728653 * (first + i);
-        dirs[3 * i] = (SHI_T)(s * cos(f));
-        dirs[3 * i + 1] = (SHI_T)(s * sin(f));
-        dirs[3 * i + 2] = (SHI_T)z;
+        const double z = 1 - (2 * (first + i) + 1.0) / points, r = sqrt(1 - z * z), f = 2.399963229728653 * (first + i);
+        s->dirs[3 * (at + i)] = (SHI_T)(r * cos(f));
+        s->dirs[3 * (at + i) + 1] = (SHI_T)(r * sin(f));
+        s->dirs[3 * (at + i) + 2] = (SHI_T)z;
     }
+    SHI_FN(sh_reconstruct_n)(bands, c, (size_t)count, s->dirs + 3 * at, s->values + at, NULL);
+}
+
+/* No sample within 1.6 spacings of number i is lower, nor an earlier one as low? Neighbours are at most `reach` numbers away. */
+SHI_INLINE int SHI_FN(shi_is_lowest)(const SHI_FN(shi_samples_kept) *s, int points, int reach, int i)
+{
+    const SHI_T *const d = s->dirs + 3 * (i % SHI_KEPT), value = s->values[i % SHI_KEPT];
+    const double apart = 1 - 16.0 / points;
+    int j;
+    for (j = i > reach ? i - reach : 0; j <= i + reach && j < points; j++) {
+        const SHI_T *const e = s->dirs + 3 * (j % SHI_KEPT), other = s->values[j % SHI_KEPT];
+        if ((other < value || (other <= value && j < i)) && (double)(d[0] * e[0] + d[1] * e[1] + d[2] * e[2]) > apart) return 0;
+    }
+    return 1;
+}
+
+/* the smallest value and where, or the first found below `enough` */
+SHI_INLINE SHI_T SHI_FN(shi_lowest)(int bands, const SHI_T *c, SHI_T enough, SHI_T where[3])
+{
+    SHI_FN(shi_samples_kept) s;
+    const int points = 24 * bands * bands + 64, reach = (int)sqrt(8.0 * points) + 1;
+    SHI_T best = 0, lowest = 0, highest = 0;
+    int pass, first, i, k, next = 0;
+    for (pass = 0; pass < 2; pass++)
+        for (first = 0; first < points; first += SHI_CHUNK) {
+            const int end = first + SHI_CHUNK < points ? first + SHI_CHUNK : points;
+            SHI_FN(shi_sample)(bands, c, points, first, &s);
+            for (i = first; i < end && pass == 0; i++) {
+                const SHI_T value = s.values[i % SHI_KEPT];
+                if (i == 0 || value > highest) highest = value;
+                if (i == 0 || value < lowest) {
+                    best = lowest = value;
+                    for (k = 0; k < 3; k++) where[k] = s.dirs[3 * (i % SHI_KEPT) + k];
+                }
+                if (lowest < enough) return lowest;
+            }
+            for (; pass == 1 && next < points && (next + reach < end || end == points); next++) {
+                SHI_T u[3], value;
+                if (!(s.values[next % SHI_KEPT] <= lowest + SHI_C(0.1) * (highest - lowest))) continue;
+                if (!SHI_FN(shi_is_lowest)(&s, points, reach, next)) continue;
+                for (k = 0; k < 3; k++) u[k] = s.dirs[3 * (next % SHI_KEPT) + k];
+                value = SHI_FN(shi_descend)(bands, c, u);
+                if (value < best || lowest == best) {
+                    best = value;
+                    for (k = 0; k < 3; k++) where[k] = u[k];
+                }
+                if (best < enough) return best;
+            }
+        }
+    return best;
 }
 
 /* Smallest value of sum c_i Y_i on the sphere, and where. dir [3] and value may be NULL. Bands to 32.
- * Samples 24 bands^2 + 64 points of a spiral; from each that lies within a tenth of the samples' range of the lowest, and
- * has no lower one beside it that was a start, goes downhill. Between samples the sum cannot fall further than that
- * (Bernstein's inequality), so what is found is the global minimum.
- * Error:  40 eps |coeffs| bands/3.5, and what is flat: steps end where the sum does not fall any more. */
+ * Samples 24 bands^2 + 64 points of a spiral and goes downhill from all that have no lower neighbour and lie within a tenth of
+ * the range of the lowest: between samples the sum cannot fall further than that (Bernstein's inequality).
+ * Error:  40 eps |coeffs| bands/3.5. */
 SH_API int SHI_FN(sh_minimum)(int bands, const SHI_T *coeffs, SHI_T *dir, SHI_T *value)
 {
-    enum { SHI_STARTS = 32, SHI_CHUNK = 64 };
-    SHI_T dirs[3 * SHI_CHUNK], values[SHI_CHUNK], start[SHI_STARTS][3], low[SHI_STARTS], best = 0, lowest = 0, highest = 0, where[3] = { 0, 0, 1 };
-    const int points = 24 * bands * bands + 64;
-    const double apart = 1 - 6.0 / points;                  /* cosine of about the spacing */
-    int pass, first, i, j, k, used = 0;
-
+    SHI_T where[3] = { 0, 0, 1 }, low;
+    int k;
     if (!coeffs) return SH_ERROR_NULL;
     if (bands < 1 || bands > SH_MAX_BANDS) return SH_ERROR_BANDS;
     if (shi_overlap(dir, 3 * sizeof *dir, value, sizeof *value)) return SH_ERROR_OVERLAP;
-    for (pass = 0; pass < 2 && (pass == 0 || lowest < highest); pass++)
-        for (first = 0; first < points; first += SHI_CHUNK) {
-            const int count = points - first < SHI_CHUNK ? points - first : SHI_CHUNK;
-            SHI_FN(shi_spiral)(points, first, count, dirs);
-            SHI_FN(sh_reconstruct_n)(bands, coeffs, (size_t)count, dirs, values, NULL);
-            for (i = 0; i < count; i++) {
-                const SHI_T *const d = dirs + 3 * i;
-                int beside = 0;
-                if (pass == 0) {
-                    if (first + i == 0 || values[i] > highest) highest = values[i];
-                    if (first + i == 0 || values[i] < lowest) {
-                        best = lowest = values[i];
-                        for (k = 0; k < 3; k++) where[k] = d[k];
-                    }
-                    continue;
-                }
-                if (!(values[i] <= lowest + SHI_C(0.1) * (highest - lowest))) continue;
-                for (j = 0; j < SHI_STARTS && j < used; j++)
-                    if (low[j] <= values[i] && (double)(d[0] * start[j][0] + d[1] * start[j][1] + d[2] * start[j][2]) > apart) beside = 1;
-                if (beside) continue;
-                j = used++ % SHI_STARTS;                    /* the oldest is forgotten: a start more, not a minimum less */
-                low[j] = values[i];
-                for (k = 0; k < 3; k++) start[j][k] = d[k];
-                {
-                    SHI_T u[3], v;
-                    for (k = 0; k < 3; k++) u[k] = d[k];
-                    v = SHI_FN(shi_descend)(bands, coeffs, u);
-                    if (v < best || used == 1) {
-                        best = v;
-                        for (k = 0; k < 3; k++) where[k] = u[k];
-                    }
-                }
-            }
-        }
-    if (value) *value = best;
+    low = SHI_FN(shi_lowest)(bands, coeffs, SHI_BITS == 32 ? -SHI_C(3.4e38) : -SHI_C(1.7e308 * (SHI_BITS == 64)), where);
+    if (value) *value = low;
     for (k = 0; dir && k < 3; k++) dir[k] = where[k];
     return SH_OK;
 }
@@ -2119,15 +2138,14 @@ SH_API int SHI_FN(sh_minimum)(int bands, const SHI_T *coeffs, SHI_T *dir, SHI_T 
 SHI_INLINE int SHI_FN(shi_window_suffices)(int kind, int bands, int channels, double inverse_width,
                                            const SHI_T *in, SHI_T *out)
 {
-    SHI_T factors[SH_MAX_BANDS], windowed[SH_MAX_BANDS * SH_MAX_BANDS], lowest;
+    SHI_T factors[SH_MAX_BANDS], windowed[SH_MAX_BANDS * SH_MAX_BANDS], where[3];
     int c, l;
 
     for (l = 0; l < bands; l++) factors[l] = (SHI_T)shi_window(kind, 1 / inverse_width, l);
     for (c = 0; c < channels; c++) {
         SHI_T *const to = out ? out + c * bands * bands : windowed;
         SHI_FN(sh_scale_bands)(bands, factors, in + c * bands * bands, to);
-        SHI_FN(sh_minimum)(bands, to, NULL, &lowest);
-        if (!(lowest >= 0)) return 0;
+        if (!(SHI_FN(shi_lowest)(bands, to, 0, where) >= 0)) return 0;
     }
     return 1;
 }
@@ -2146,7 +2164,7 @@ SH_API int SHI_FN(sh_dering)(int kind, int bands, int channels, const SHI_T *in,
 {
     double low = 0, high;
     size_t bytes;
-    SHI_T lowest;
+    SHI_T where[3];
     int c, k, fine = 1;
 
     if (!in || !out) return SH_ERROR_NULL;
@@ -2158,8 +2176,7 @@ SH_API int SHI_FN(sh_dering)(int kind, int bands, int channels, const SHI_T *in,
     if (!SHI_FN(shi_finite)(in, bytes / sizeof *in)) return SH_ERROR_NOT_FINITE;
     for (c = 0; c < channels; c++) {
         if (!(in[c * bands * bands] > 0)) return SH_ERROR_OPTION;
-        SHI_FN(sh_minimum)(bands, in + c * bands * bands, NULL, &lowest);
-        if (!(lowest >= 0)) fine = 0;
+        if (fine && !(SHI_FN(shi_lowest)(bands, in + c * bands * bands, 0, where) >= 0)) fine = 0;
     }
     if (fine) {
         memcpy(out, in, bytes);
