@@ -1029,7 +1029,8 @@ SHI_KERNEL void SHI_KN(shi_store3)(SHI_T *p, const SHI_V v[3])
 #if defined(SHI_PIECE) && SHI_BYTES == 64               /* number n = r W + i: x or y of its triple, then z where it is */
 #define SHI_XY(r, i) (((r) * SHI_W + (i)) / 3 + (((r) * SHI_W + (i)) % 3 == 1 ? SHI_W : 0))
 #define SHI_AND_Z(r, i) (((r) * SHI_W + (i)) % 3 == 2 ? SHI_W + ((r) * SHI_W + (i)) / 3 : (i))
-#define SHI_8(f, r, i) f(r, i), f(r, (i) + 1), f(r, (i) + 2), f(r, (i) + 3), f(r, (i) + 4), f(r, (i) + 5), f(r, (i) + 6), f(r, (i) + 7)
+#define SHI_8(f, r, i) f(r, i), f(r, (i) + 1), f(r, (i) + 2), f(r, (i) + 3), f(r, (i) + 4), f(r, (i) + 5), f(r, (i) + 6), \
+                       f(r, (i) + 7)
 #if SHI_LANES == 16
 #define SHI_EACH(f, r) SHI_8(f, r, 0), SHI_8(f, r, 8)
 #else

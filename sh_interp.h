@@ -424,7 +424,8 @@ SHI_INLINE size_t SHI_FN(shi_locate)(const SHI_FN(shi_range) *r, SHI_T point, SH
     const int i = (int)cell;
 
     *t = inside - (SHI_T)i;
-    *rate = x >= r->low && x <= r->high * (1 + 4 * SHI_EPS) ? r->inverse : 0;      /* the last node, however it is rounded, is inside */
+    /* the last node, however it is rounded, is inside */
+    *rate = x >= r->low && x <= r->high * (1 + 4 * SHI_EPS) ? r->inverse : 0;
     return (size_t)i;
 }
 
@@ -703,12 +704,14 @@ SHI_NOINLINE int SHI_FN(shi_samples)(int bands, int planes, int channels, SHI_T 
 /* Inverse-distance blend of the Taylor series of scattered samples: sum of w_j (f_j + g_j . d_j + ...), d_j = point -
  * sample j, w_j proportional to 1/|d_j|^power.
  *   planes    SH_VALUES, SH_GRADIENT, SH_HESSIAN: the samples' series are of order 0, 1 (A04), 2
- *   power     in (0, 64] (else SH_ERROR_OPTION), A04's b: 2 is the usual one; above 1 the blend has the samples' gradients at the samples
+ *   power     in (0, 64] (else SH_ERROR_OPTION), A04's b: 2 is the usual one; above 1 the blend has the samples'
+ *             gradients at the samples
  *   count     >= 1
  *   samples   [count][3], each coordinate within 1e18 of the point's (else SH_ERROR_NOT_FINITE)
  *   blocks    [count][channels][planes][N]
  *   coeffs    [channels][N], overlapping no input
- * At a sample the blend is that sample, to the bit (Eq. 16 is 0/0 there), if all data are finite; samples in one place share its weight.
+ * At a sample the blend is that sample, to the bit (Eq. 16 is 0/0 there), if all data are finite; samples in one place
+ * share its weight.
  * Polynomials of the samples' order are reproduced. Cost: count * planes reads of N numbers, so choose few.
  * Error:  <= (16 + count/64) eps of the largest |f_j| + |g_j| |d_j| + |H_j| |d_j|^2/2, 2-norms.
  * Source: A04 Eq. 14-16. */

@@ -22,7 +22,7 @@
  * DOES NOT    allocate, keep state, print. Arrays need no alignment. In and out may be the same
  *             array, or must not overlap (SH_ERROR_OVERLAP). NaN and Inf in coefficients go through; in
  *             geometry (and in sh_dering) they are an error. Stack, f64 (f32: half): triple product
- *             50 KB, sh_minimum and sh_dering 95 KB, the others 27 KB at most.
+ *             50 KB, sh_minimum and sh_dering 125 KB, the others 27 KB at most.
  *
  * ERROR       c = the input vector, |.| its 2-norm, worst over the output: rotation and cosine products
  *             16 eps |c| to 6 bands, 40 eps |c| to 16; triple product the same with |a| |b|. Worst seen is
@@ -1796,7 +1796,8 @@ SH_API int SHI_FN(sh_scale_bands)(int bands, const SHI_T *factors, const SHI_T *
     int l, m;
     if (status) return status;
     if (!factors) return SH_ERROR_NULL;
-    if (shi_overlap(factors, (size_t)bands * sizeof *factors, out, (size_t)(bands * bands) * sizeof *out)) return SH_ERROR_OVERLAP;
+    if (shi_overlap(factors, (size_t)bands * sizeof *factors, out, (size_t)(bands * bands) * sizeof *out))
+        return SH_ERROR_OVERLAP;
     for (l = 0; l < bands; l++)
         for (m = -l; m <= l; m++) out[l * (l + 1) + m] = factors[l] * in[l * (l + 1) + m];
     return SH_OK;
@@ -1999,7 +2000,8 @@ SHI_INLINE SHI_T SHI_FN(shi_descend)(int bands, const SHI_T *c, SHI_T u[3])
     int turn, i, k, half, goes_on = 1;
 
     for (turn = 0; turn < 50 && goes_on; turn++) {
-        double f = 0, grad[3] = { 0, 0, 0 }, hess[6] = { 0, 0, 0, 0, 0, 0 }, v[3], e[2][3], s[3] = { 0, 0, 0 }, a, b, d, mean, r, len, step;
+        double f = 0, grad[3] = { 0, 0, 0 }, hess[6] = { 0, 0, 0, 0, 0, 0 };
+        double v[3], e[2][3], s[3] = { 0, 0, 0 }, a, b, d, mean, r, len, step;
         for (k = 0; k < 3; k++) v[k] = (double)u[k];
         SHI_FN(sh_eval_hessian)(bands, u, y, g, h);
         for (i = 0; i < n; i++) {
