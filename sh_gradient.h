@@ -77,7 +77,7 @@ enum {
     SH_OK = 0,
     SH_ERROR_NULL = -1,             /* a required pointer is NULL                                               */
     SH_ERROR_BANDS = -2,            /* bands outside the function's range                                       */
-    SH_ERROR_COUNT = -3,            /* a count or a number of channels is not valid                              */
+    SH_ERROR_COUNT = -3,            /* a count or a number of channels is not valid                             */
     SH_ERROR_OVERLAP = -4,          /* input and output overlap                                                 */
     SH_ERROR_DIRECTION = -5,        /* zero direction, or a length out of range                                 */
     SH_ERROR_NOT_FINITE = -6,       /* NaN or infinity in geometry                                              */
@@ -2479,7 +2479,7 @@ SHI_KERNEL int SHI_BN(shi_blocks)(int n, int planes, size_t blocks, const SHI_T 
 SHI_KERNEL void SHI_BN(shi_angles)(int n, SHI_V ct, SHI_V st, SHI_V cp, SHI_V sp, SHI_T *y, SHI_T *dt, SHI_T *dp)
 {
     const SHI_V x = -(st * cp), v = -(st * sp);
-    const SHI_V fall = (st * st) / (SHI_C(1) + SHI_ABS(ct));    /* 1 - |cos|: values as in shi_column beyond 10 bands */
+    const SHI_V polar = (st * st) / (SHI_C(1) + SHI_ABS(ct));   /* 1 - |cos|: values as in shi_column beyond 10 bands */
     const SHI_V side = SHI_SELECT((SHI_M)(ct < SHI_SPLAT(0)), SHI_SPLAT(-1), SHI_SPLAT(1));
     SHI_V c = SHI_SPLAT(1), s = SHI_SPLAT(0), c1 = c, s1 = s;       /* U_m, V_m, and the two over sin(theta) */
     int l, m;
@@ -2504,7 +2504,7 @@ SHI_KERNEL void SHI_BN(shi_angles)(int n, SHI_V ct, SHI_V st, SHI_V cp, SHI_V sp
                 q1 = next;
                 t0 = t1;
                 t1 = slope;
-                d = SHI_KN(shi_fall)(SHI_SPLAT(SHI_FN(shi_ratio)[SHI_ROWS(l, m)]), fall, p, d);
+                d = SHI_KN(shi_fall)(SHI_SPLAT(SHI_FN(shi_ratio)[SHI_ROWS(l, m)]), polar, p, d);
                 p = p - d;
             }
             q = SHI_FN(shi_pole)[SHI_ROWS(l, m)] * ((l - m) & 1 ? side * p : p);
@@ -2780,14 +2780,14 @@ SHI_INLINE void SHI_FN(shi_cap)(int n, SHI_T s, SHI_T alpha, SHI_T i, SHI_T *f, 
 SHI_NOINLINE int SHI_FN(shi_symmetric)(int n, const SHI_T v[3], const SHI_T *f, const SHI_T *f1, const SHI_T *f2,
                                        SHI_T *c, SHI_T *g, SHI_T *h)
 {
-    SHI_T gradient[3 * SH_MAX_BANDS * SH_MAX_BANDS], u[4], i, near_v[3];
+    SHI_T gradient[3 * SH_MAX_BANDS * SH_MAX_BANDS], u[4], i, scaled[3];
     const SHI_T up = h && v[0] * v[0] + v[1] * v[1] + v[2] * v[2] < SHI_C(1e-20) ? SHI_C(1152921504606846976.0) : 1;   /* 2^60 */
     const int size = n * n;
     int l, m, k, j, p;
     if (h && !g) g = gradient;
-    for (k = 0; k < 3; k++) near_v[k] = up * v[k];              /* the basis' Hessian at v could overflow, f times that not */
+    for (k = 0; k < 3; k++) scaled[k] = up * v[k];              /* the basis' Hessian at v could overflow, f times that not */
     if (!SHI_ONE(shi_unit)(v, 1, u, &i)
-        || !(h ? SHI_MANY(shi_single_hessian)(n, near_v, c, g, h) : g ? SHI_MANY(shi_single_gradient)(n, v, c, g)
+        || !(h ? SHI_MANY(shi_single_hessian)(n, scaled, c, g, h) : g ? SHI_MANY(shi_single_gradient)(n, v, c, g)
                                                                   : SHI_MANY(shi_single_values)(n, v, c)))
         return SHI_FN(shi_direction_status)(v);
     for (l = 0; l < n; l++)

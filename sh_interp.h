@@ -568,7 +568,7 @@ SH_API int SHI_FN(sh_grid_interp)(int bands, int planes, int channels, const SHI
 /* The interpolant with its exact derivatives by the point, in the layout of a node with gradients: a grid resampled
  * is a grid, and a point interpolated is a sample for sh_sample_taylor.
  *   out   [count][channels][4][N]: coefficients (the bits of sh_grid_interp), d/dx, d/dy, d/dz
- * Derivatives across the border of a clamped query are 0, on the border they are those of the cell that ends there. At an
+ * Derivatives across the border of a clamped query are 0, on the border they are those of its cell. At an
  * inner face of a C0 scheme they are those of one of its two cells: which, is a matter of rounding.
  * Error:  <= 16 eps of the largest datum as above, per cell size. */
 SH_API int SHI_FN(sh_grid_gradient_n)(int bands, int planes, int channels, const SHI_FN(sh_grid) *grid,

@@ -1535,8 +1535,8 @@ SH_API int SHI_FN(sh_rotate)(int bands, const SHI_FN(sh_rotation) *r, size_t cou
                              SHI_T *out)
 {
     const int status = SHI_FN(shi_vectors)(bands, SH_PRODUCT_BANDS, count, in, out);
-    if (status) return status;
-    if (count && !r) return SH_ERROR_NULL;
+    if (status || !count) return status;
+    if (!r) return SH_ERROR_NULL;
     SHI_MANY(shi_prod_rotate_all)(bands, 1, SHI_FN(shi_swap), r->angle[0], count, in, out);
     return SH_OK;
 }
@@ -1547,8 +1547,8 @@ SH_API int SHI_FN(sh_rotate_blocks)(int bands, const SHI_FN(sh_rotation) *r, siz
 {
     const size_t count = shi_block_items(blocks);
     const int status = SHI_FN(shi_vectors)(bands, SH_PRODUCT_BANDS, count, in, out);
-    if (status) return status;
-    if (count && !r) return SH_ERROR_NULL;
+    if (status || !count) return status;
+    if (!r) return SH_ERROR_NULL;
     SHI_MANY(shi_prod_rotate_all)(bands, 0, SHI_FN(shi_swap), r->angle[0], count, in, out);
     return SH_OK;
 }
@@ -2026,8 +2026,8 @@ SHI_INLINE SHI_T SHI_FN(shi_descend)(int bands, const SHI_T *c, SHI_T u[3])
         mean = 0.5 * (a + d);
         r = sqrt(0.25 * (a - d) * (a - d) + b * b);
         for (k = 0; k < 2; k++) {                           /* along the eigenvector of mean + r, then of mean - r */
-            const double p = b < 0 ? -0.5 : 0.5, t = r > 0 ? 0.5 * (a - d) / r : 1;     /* cos of twice its angle */
-            const double co = sqrt(0.5 * (1 + t)), si = 2 * p * sqrt(0.5 * (1 - t)), x = k ? -si : co, z = k ? co : si;
+            const double t = r > 0 ? 0.5 * (a - d) / r : 1;                         /* cosine of twice its angle */
+            const double co = sqrt(0.5 * (1 + t)), si = (b < 0 ? -1 : 1) * sqrt(0.5 * (1 - t)), x = k ? -si : co, z = k ? co : si;
             const double value = fabs(k ? mean - r : mean + r), least = 1e-6 * (fabs(mean) + r);
             double slope = 0;
             for (i = 0; i < 3; i++) slope += grad[i] * (x * e[0][i] + z * e[1][i]);
@@ -2109,7 +2109,7 @@ SHI_INLINE SHI_T SHI_FN(shi_lowest)(int bands, const SHI_T *c, SHI_T enough, SHI
                 if (!SHI_FN(shi_is_lowest)(&s, points, reach, next)) continue;
                 for (k = 0; k < 3; k++) u[k] = s.dirs[3 * (next % SHI_KEPT) + k];
                 value = SHI_FN(shi_descend)(bands, c, u);
-                if (value < best || lowest == best) {
+                if (value < best || best == lowest) {               /* the first one takes the place of the sample */
                     best = value;
                     for (k = 0; k < 3; k++) where[k] = u[k];
                 }

@@ -73,7 +73,11 @@ leaks() {
     printf '#include "all.c"\nint second(float *y);\nint main(void) { float y[4], z[4], d[3] = {0, 0, 1};\n return sh_eval_f32(2, d, y) || second(z) || memcmp(y, z, sizeof y); }\n' >"$work/a.c"
     try gcc -std=c99 $W -O1 -I. "$work/a.c" "$work/b.c" -o "$work/two" -lm
     try "$work/two"
-    echo "ok leaks: macros, names, writable data, two translation units"
+    # widths that the target does not have are refused by name
+    for width in -DSH_VECTOR_BYTES=8 "-DSH_VECTOR_BYTES=16 -DSH_WIDE_BYTES=64" "-DSH_VECTOR_BYTES=0 -DSH_WIDE_BYTES=16"; do
+        gcc -std=gnu99 $width -I. -fsyntax-only "$work/all.c" 2>&1 | grep -q '#error "SH_[A-Z]*_BYTES' || fail "$width is taken"
+    done
+    echo "ok leaks: macros, names, writable data, two translation units, widths"
 }
 
 # ---- instruction sets: the tests' own bounds, compiled again ----

@@ -187,6 +187,8 @@ static void F(overlap)(void **state)
         REFUSED(SH_ERROR_OVERLAP, F(sh_sphere)(3, d, o + 8 - k, (T)0.5, o, NULL));
         REFUSED(SH_ERROR_OVERLAP, F(sh_sphere)(3, d, o + 100, (T)0.5, o, o + 8 - k));
         REFUSED(SH_ERROR_OVERLAP, F(sh_zonal_rotate)(3, o + 8 - k, d, o));
+        REFUSED(SH_ERROR_OVERLAP, F(sh_zonal_light)(3, d, o + 8 - k, o + 110, o + 110, o, o + 16, o + 48));
+        REFUSED(SH_ERROR_OVERLAP, F(sh_zonal_light)(3, d, o + 110, o + 42 - k, o + 110, o, o + 16, o + 48));
         REFUSED(SH_ERROR_OVERLAP, F(sh_light_field)(3, 1, o + 8 - k, d + 2, d + 2, d + 2, d, o, o + 64));
         REFUSED(SH_ERROR_OVERLAP, F(sh_light_field)(3, 1, d, d + 2, d + 2, d + 2, d, o, o + 8 - k));
     }

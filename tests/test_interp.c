@@ -662,10 +662,10 @@ static long double F(polynomial)(int terms, int e[][3], const long double *c, co
     return sum;
 }
 
-/* The last node of a clamped axis, however origin + 3 cell is rounded: the derivative of the cell that ends there. */
+/* The border of a clamped axis, however origin + 3 cell is rounded: the derivative of its cell. */
 static void F(last_face)(void **state)
 {
-    row *r = row_open("slope at the last node", PRECISION);
+    row *r = row_open("slope at the border", PRECISION);
     int turn;
     (void)state;
     for (turn = 0; turn < effort(2000); turn++) {
@@ -679,6 +679,8 @@ static void F(last_face)(void **state)
         row_case("cell %.9g", (double)grid.cell[0]);
         CHECK(r, out[0], 3, 16 * 3 * LEPS, 0);
         CHECK(r, out[1], 1 / (long double)grid.cell[0], 16 * 3 * LEPS / (long double)grid.cell[0], 1);
+        assert_int_equal(F(sh_grid_gradient)(1, SH_VALUES, 1, &grid, nodes, SH_TRILINEAR, SH_CLAMP, grid.origin, out), SH_OK);
+        CHECK(r, out[1], 1 / (long double)grid.cell[0], 16 * 3 * LEPS / (long double)grid.cell[0], 2);
     }
     row_close(r);
 }

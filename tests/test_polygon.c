@@ -416,6 +416,11 @@ static void F(statuses)(void **state)
     memcpy(bad, quad, sizeof bad);
     assert_int_equal(F(sh_polygon)(3, SH_BOTH, point, 4, bad, bad, NULL), SH_ERROR_OVERLAP);
     assert_int_equal(F(sh_polygon_within)(3, SH_BOTH, 0, point, 4, quad, c, c + 8, NULL, NULL), SH_ERROR_OVERLAP);
+    assert_int_equal(F(sh_polygon_within)(3, SH_BOTH, 0, point, 4, quad, c, NULL, c + 8, NULL), SH_ERROR_OVERLAP);
+    assert_int_equal(F(sh_polygon_solid_angle)(SH_BOTH, point, 4, quad, c, c), SH_ERROR_OVERLAP);
+    assert_int_equal(F(sh_polygon_zonal)(3, quad, point, 4, quad, c, c + 2), SH_ERROR_OVERLAP);
+    assert_int_equal(F(sh_triangle_as_sphere)(2, SH_BOTH, point, quad, quad + 3, quad + 6, c, NULL, c + 3), SH_ERROR_OVERLAP);
+    assert_int_equal(F(sh_triangle_as_sphere)(2, SH_BOTH, point, bad, quad + 3, quad + 6, bad, NULL, NULL), SH_ERROR_OVERLAP);
     assert_int_equal(F(sh_polygon_within)(3, SH_BOTH, 0, point, 4, bad, bad, NULL, NULL, NULL), SH_ERROR_OVERLAP);
     for (i = 0; i < 2; i++) {
         const unsigned char bytes[2][8] = { { 0, 0, 0xc0, 0x7f, 0, 0, 0xf8, 0x7f },

@@ -726,8 +726,12 @@ static void F(texture)(void **state)
         for (k = 0; k < 12; k++)
             row_check(w, (long double)vertices[k], (long double)square[k], 4 * (long double)EPS, k);
     }
+    n = 0;
     assert_int_equal(F(sh_textured_quad)(quad, W, H, 2, texels, 0, 0, &n, counts, vertices, radiance),
                      SH_ERROR_COUNT);
+    assert_int_equal(n, 1);                                 /* the number that does not fit */
+    assert_int_equal(F(sh_textured_quad)(quad, W, H, 2, texels, 0, W * H, &n, counts, texels, radiance), SH_ERROR_OVERLAP);
+    assert_int_equal(F(sh_textured_quad)(quad, W, H, 2, texels, 0, W * H, &n, counts, vertices, vertices + 11), SH_ERROR_OVERLAP);
     assert_int_equal(F(sh_textured_quad)(quad, 0, H, 2, texels, 0, 0, &n, NULL, NULL, NULL), SH_ERROR_COUNT);
     assert_int_equal(F(sh_textured_quad)(NULL, W, H, 2, texels, 0, 0, &n, NULL, NULL, NULL), SH_ERROR_NULL);
     row_close(w);

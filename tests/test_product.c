@@ -613,6 +613,14 @@ static void F(refusals)(void **state)
     assert_int_equal(F(sh_convolve)(3, NULL, a, out), SH_ERROR_NULL);
     assert_int_equal(F(sh_diffuse)(33, normal, a, out), SH_ERROR_BANDS);
     assert_int_equal(F(sh_diffuse)(2, normal, a, a + 3), SH_ERROR_OVERLAP);
+    assert_int_equal(F(sh_diffuse_n)(2, NULL, 0, NULL, NULL), SH_OK);
+    assert_int_equal(F(sh_rotate)(2, NULL, 0, NULL, NULL), SH_OK);
+    assert_int_equal(F(sh_rotate_blocks)(2, NULL, 0, NULL, NULL), SH_OK);
+    assert_int_equal(F(sh_scale_bands)(3, out + 8, a, out), SH_ERROR_OVERLAP);
+    out[0] = out[1] = 0; out[2] = 1;
+    assert_int_equal(F(sh_cosine_product_zonal)(3, 3, out, a, out), SH_ERROR_OVERLAP);
+    assert_int_equal(F(sh_minimum)(3, a, out, out + 2), SH_ERROR_OVERLAP);
+    assert_int_equal(F(sh_dering)(SH_HANN, 3, 1, a, out, out + 8), SH_ERROR_OVERLAP);
     {   /* a bad normal spoils only its own output, at every band count */
         T n3[9] = { 0, 0, 1, 0, 0, 0, 0, 1, 0 }, e[3];
         int bands;
