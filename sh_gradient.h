@@ -2880,28 +2880,51 @@ SHI_INLINE int SHI_FN(shi_check_grid)(const SHI_FN(sh_grid) *g, size_t first, si
     return first > all || nodes > all - first ? SH_ERROR_COUNT : SH_OK;
 }
 
-SHI_INLINE void SHI_FN(shi_grid_node)(const SHI_FN(sh_grid) *g, size_t node, SHI_T x[3])
+/* where sums are taken: at[count][3] or, `at` NULL, nodes first, first + 1, ... of a grid */
+typedef struct {
+    size_t count, first;
+    const SHI_T *at;
+    const SHI_FN(sh_grid) *grid;
+} SHI_FN(shi_places);
+
+SHI_INLINE void SHI_FN(shi_place)(const SHI_FN(shi_places) *o, size_t i, SHI_T x[3])
 {
-    const size_t nx = (size_t)g->count[0], ny = (size_t)g->count[1];
-    x[0] = g->origin[0] + (SHI_T)(node % nx) * g->cell[0];
-    x[1] = g->origin[1] + (SHI_T)(node / nx % ny) * g->cell[1];
-    x[2] = g->origin[2] + (SHI_T)(node / nx / ny) * g->cell[2];
+    if (o->at) {
+        memcpy(x, o->at + 3 * i, 3 * sizeof *x);
+    } else {
+        const SHI_FN(sh_grid) *const g = o->grid;
+        const size_t node = o->first + i, nx = (size_t)g->count[0], ny = (size_t)g->count[1];
+        x[0] = g->origin[0] + (SHI_T)(node % nx) * g->cell[0];
+        x[1] = g->origin[1] + (SHI_T)(node / nx % ny) * g->cell[1];
+        x[2] = g->origin[2] + (SHI_T)(node / nx / ny) * g->cell[2];
+    }
 }
 
-/* point[given][3]: points of them or, on a grid, its origin */
-SHI_INLINE int SHI_FN(shi_check_spheres)(int bands, int planes, int channels, size_t points, size_t given, const SHI_T *point,
-                                         size_t count, const SHI_T *spheres, const SHI_T *radiance, const SHI_T *out)
+SHI_INLINE int SHI_FN(shi_places_overlap)(const SHI_FN(shi_places) *o, const SHI_T *out, size_t bytes)
 {
-    const size_t item = sizeof *out, block = (size_t)bands * (size_t)bands * (size_t)planes * (size_t)channels * item;
-    if (bands < 1 || bands > SH_MAX_BANDS) return SH_ERROR_BANDS;
-    if (planes != SH_VALUES && planes != SH_GRADIENT && planes != SH_HESSIAN) return SH_ERROR_OPTION;
-    if (channels < 1) return SH_ERROR_COUNT;
+    return shi_overlap(o->at, 3 * o->count * sizeof *out, out, bytes) || shi_overlap(o->grid, sizeof *o->grid, out, bytes);
+}
+
+/* a sum of spheres as it was asked for */
+typedef struct {
+    int bands, planes, channels;
+    SHI_FN(shi_places) places;
+    size_t count;
+    const SHI_T *spheres, *radiance;
+} SHI_FN(shi_lights);
+
+SHI_INLINE int SHI_FN(shi_check_lights)(const SHI_FN(shi_lights) *o, const SHI_T *out)
+{
+    const size_t item = sizeof *out, channels = (size_t)o->channels, points = o->places.count;
+    const size_t bytes = points * channels * (size_t)o->planes * (size_t)o->bands * (size_t)o->bands * item;
+    if (o->bands < 1 || o->bands > SH_MAX_BANDS) return SH_ERROR_BANDS;
+    if (o->planes != SH_VALUES && o->planes != SH_GRADIENT && o->planes != SH_HESSIAN) return SH_ERROR_OPTION;
+    if (o->channels < 1) return SH_ERROR_COUNT;
     if (points == 0) return SH_OK;
-    if (!point || (count && !spheres) || !out) return SH_ERROR_NULL;
-    if (points > SHI_MOST_ITEMS / (size_t)channels || count > SHI_MOST_ITEMS / (size_t)channels) return SH_ERROR_COUNT;
-    if (shi_overlap(point, 3 * given * item, out, points * block)
-        || shi_overlap(spheres, 4 * count * item, out, points * block)
-        || shi_overlap(radiance, (size_t)channels * count * item, out, points * block)) return SH_ERROR_OVERLAP;
+    if (!(o->places.at || o->places.grid) || (o->count && !o->spheres) || !out) return SH_ERROR_NULL;
+    if (points > SHI_MOST_ITEMS / channels || o->count > SHI_MOST_ITEMS / channels) return SH_ERROR_COUNT;
+    if (SHI_FN(shi_places_overlap)(&o->places, out, bytes) || shi_overlap(o->spheres, 4 * o->count * item, out, bytes)
+        || shi_overlap(o->radiance, channels * o->count * item, out, bytes)) return SH_ERROR_OVERLAP;
     return SH_OK;
 }
 
@@ -2947,21 +2970,23 @@ SHI_INLINE void SHI_FN(shi_derive)(int n, const SHI_T *lower, const SHI_T *upper
     }
 }
 
-/* one point; out[channels][planes][N], `work` holds 6 (n+2)^2 moments per channel and 7 (n+1)^2 derivatives. Returns
- * shi_moments' bits */
-SHI_INLINE int SHI_FN(shi_spheres_at)(int n, int planes, int channels, const SHI_T *point, size_t count, const SHI_T *spheres,
-                                      const SHI_T *radiance, SHI_T *work, SHI_T *out)
+/* `channels` of them from `channel` on at a point x: out[channels][planes][N]; `work` holds 6 (n+2)^2 moments per channel
+ * and 7 (n+1)^2 derivatives. Returns shi_moments' bits */
+SHI_INLINE int SHI_FN(shi_spheres_at)(const SHI_FN(shi_lights) *o, int channel, int channels, const SHI_T x[3], SHI_T *work,
+                                      SHI_T *out)
 {
+    const int n = o->bands, planes = o->planes, size = n * n;
     const int extra = planes == SH_VALUES ? 0 : planes == SH_GRADIENT ? 1 : 2, plane = (n + extra) * (n + extra);
-    const int size = n * n, kinds = planes == SH_VALUES ? 1 : planes == SH_GRADIENT ? 3 : 6;
+    const int kinds = planes == SH_VALUES ? 1 : planes == SH_GRADIENT ? 3 : 6;
+    const SHI_T *const radiance = o->radiance ? o->radiance + (size_t)channel * o->count : NULL;
     const int flags =
-        planes == SH_VALUES     ? SHI_WIDE(shi_moments_values)(n, channels, point, count, spheres, radiance, work)
-        : planes == SH_GRADIENT ? SHI_WIDE(shi_moments_gradient)(n, channels, point, count, spheres, radiance, work)
-                                : SHI_WIDE(shi_moments_hessian)(n, channels, point, count, spheres, radiance, work);
+        planes == SH_VALUES     ? SHI_WIDE(shi_moments_values)(n, channels, x, o->count, o->spheres, radiance, work)
+        : planes == SH_GRADIENT ? SHI_WIDE(shi_moments_gradient)(n, channels, x, o->count, o->spheres, radiance, work)
+                                : SHI_WIDE(shi_moments_hessian)(n, channels, x, o->count, o->spheres, radiance, work);
     SHI_T *const spare = work + channels * kinds * plane;
-    int channel, k;
+    int k;
     if (flags & ~SHI_IS_INSIDE) return flags;
-    for (channel = 0; channel < channels; channel++, work += kinds * plane, out += planes * size) {
+    for (; channels > 0; channels--, work += kinds * plane, out += planes * size) {
         memcpy(out, work, (size_t)size * sizeof *out);
         if (planes != SH_VALUES)
             SHI_FN(shi_derive)(n, work + plane, work + 2 * plane, out + size, out + 2 * size, out + 3 * size);
@@ -2980,25 +3005,21 @@ SHI_INLINE int SHI_FN(shi_spheres_at)(int n, int planes, int channels, const SHI
 }
 
 /* work holds `most` channels */
-SHI_INLINE int SHI_FN(shi_spheres_with)(int n, int planes, int channels, int most, size_t points, const SHI_T *point,
-                                        const SHI_FN(sh_grid) *grid, size_t first, size_t count, const SHI_T *spheres,
-                                        const SHI_T *radiance, SHI_T *work, SHI_T *out)
+SHI_INLINE int SHI_FN(shi_spheres_with)(const SHI_FN(shi_lights) *o, int most, SHI_T *work, SHI_T *out)
 {
-    const size_t block = (size_t)(n * n * planes);
+    const size_t block = (size_t)(o->bands * o->bands * o->planes);
     int status = SH_OK, c;
     size_t p;
-    for (p = 0; p < points; p++) {
+    for (p = 0; p < o->places.count; p++) {
         SHI_T x[3];
-        if (grid) SHI_FN(shi_grid_node)(grid, first + p, x);
-        else memcpy(x, point + 3 * p, sizeof x);
+        SHI_FN(shi_place)(&o->places, p, x);
         if (!SHI_FN(shi_finite)(x, 3)) {
             status = SH_ERROR_NOT_FINITE;
             continue;
         }
-        for (c = 0; c < channels; c += most) {
-            const int flags = SHI_FN(shi_spheres_at)(n, planes, channels - c < most ? channels - c : most, x, count, spheres,
-                                                     radiance ? radiance + (size_t)c * count : NULL, work,
-                                                     out + (p * (size_t)channels + (size_t)c) * block);
+        for (c = 0; c < o->channels; c += most) {
+            const int channels = o->channels - c < most ? o->channels - c : most;
+            const int flags = SHI_FN(shi_spheres_at)(o, c, channels, x, work, out + (p * (size_t)o->channels + (size_t)c) * block);
             if (flags & SHI_NOT_FINITE) return SH_ERROR_NOT_FINITE;
             if (flags & SHI_BAD_RADIUS) return SH_ERROR_RADIUS;
             if (flags && status == SH_OK) status = SH_INSIDE;
@@ -3008,26 +3029,22 @@ SHI_INLINE int SHI_FN(shi_spheres_with)(int n, int planes, int channels, int mos
 }
 
 /* the stack follows the band count: a job system's fibers are small */
-SHI_NOINLINE int SHI_FN(shi_spheres_10)(int n, int planes, int channels, size_t points, const SHI_T *point,
-                                        const SHI_FN(sh_grid) *grid, size_t first, size_t count, const SHI_T *spheres,
-                                        const SHI_T *radiance, SHI_T *out)
+SHI_NOINLINE int SHI_FN(shi_spheres_10)(const SHI_FN(shi_lights) *o, SHI_T *out)
 {
     SHI_T work[3 * 6 * 12 * 12 + 7 * 11 * 11];
-    return SHI_FN(shi_spheres_with)(n, planes, channels, 3, points, point, grid, first, count, spheres, radiance, work, out);
+    return SHI_FN(shi_spheres_with)(o, 3, work, out);
 }
-SHI_NOINLINE int SHI_FN(shi_spheres_32)(int n, int planes, int channels, size_t points, const SHI_T *point,
-                                        const SHI_FN(sh_grid) *grid, size_t first, size_t count, const SHI_T *spheres,
-                                        const SHI_T *radiance, SHI_T *out)
+SHI_NOINLINE int SHI_FN(shi_spheres_32)(const SHI_FN(shi_lights) *o, SHI_T *out)
 {
     SHI_T work[6 * 34 * 34 + 7 * 33 * 33];
-    return SHI_FN(shi_spheres_with)(n, planes, channels, 1, points, point, grid, first, count, spheres, radiance, work, out);
+    return SHI_FN(shi_spheres_with)(o, 1, work, out);
 }
-SHI_INLINE int SHI_FN(shi_spheres)(int n, int planes, int channels, size_t points, const SHI_T *point,
-                                   const SHI_FN(sh_grid) *grid, size_t first, size_t count, const SHI_T *spheres,
-                                   const SHI_T *radiance, SHI_T *out)
+SHI_INLINE int SHI_FN(shi_spheres)(const SHI_FN(shi_lights) *o, SHI_T *out)
 {
-    return n <= 10 ? SHI_FN(shi_spheres_10)(n, planes, channels, points, point, grid, first, count, spheres, radiance, out)
-                   : SHI_FN(shi_spheres_32)(n, planes, channels, points, point, grid, first, count, spheres, radiance, out);
+    const int status = SHI_FN(shi_check_lights)(o, out);
+    return status || !o->places.count ? status
+         : o->bands <= 10             ? SHI_FN(shi_spheres_10)(o, out)
+                                      : SHI_FN(shi_spheres_32)(o, out);
 }
 
 /* ---- basis ---- */
@@ -3364,10 +3381,8 @@ SH_API int SHI_FN(sh_sphere)(int bands, const SHI_T point[3], const SHI_T center
 SH_API int SHI_FN(sh_spheres_n)(int bands, int planes, int channels, size_t points, const SHI_T *point,
                                 size_t count, const SHI_T *spheres, const SHI_T *radiance, SHI_T *out)
 {
-    const int status = SHI_FN(shi_check_spheres)(bands, planes, channels, points, points, point, count, spheres, radiance,
-                                                     out);
-    if (status || !points) return status;
-    return SHI_FN(shi_spheres)(bands, planes, channels, points, point, NULL, 0, count, spheres, radiance, out);
+    const SHI_FN(shi_lights) o = { bands, planes, channels, { points, 0, point, NULL }, count, spheres, radiance };
+    return SHI_FN(shi_spheres)(&o, out);
 }
 
 /* One point: out[channels][planes][N]. */
@@ -3382,13 +3397,9 @@ SH_API int SHI_FN(sh_spheres)(int bands, int planes, int channels, const SHI_T p
 SH_API int SHI_FN(sh_spheres_grid)(int bands, int planes, int channels, const SHI_FN(sh_grid) *grid, size_t first,
                                    size_t nodes, size_t count, const SHI_T *spheres, const SHI_T *radiance, SHI_T *out)
 {
-    int status;
-    if (!grid) return SH_ERROR_NULL;
-    status = SHI_FN(shi_check_grid)(grid, first, nodes);
-    if (!status)
-        status = SHI_FN(shi_check_spheres)(bands, planes, channels, nodes, 1, grid->origin, count, spheres, radiance, out);
-    if (status || !nodes) return status;
-    return SHI_FN(shi_spheres)(bands, planes, channels, nodes, NULL, grid, first, count, spheres, radiance, out);
+    const SHI_FN(shi_lights) o = { bands, planes, channels, { nodes, first, NULL, grid }, count, spheres, radiance };
+    const int status = grid ? SHI_FN(shi_check_grid)(grid, first, nodes) : SH_ERROR_NULL;
+    return status ? status : SHI_FN(shi_spheres)(&o, out);
 }
 
 /* ================================================================================================================

@@ -5601,6 +5601,7 @@ SHI_INLINE int SHI_FN(shi_polygons_with)(int n, int planes, int channels, int si
     const int lanes = SHI_MANY(shi_polygon_lanes), size = n * n, rows = planes * size, totals = SHI_TOTALS(n);
     const size_t row = (size_t)rows, stride = (size_t)channels * row;
     SHI_MANY(shi_vector) *const sums = work + 3 * totals;
+    const SHI_FN(shi_places) places = { points, first, point, grid };
     SHI_FN(shi_shape) shapes[17];                           /* the first polygons are measured once, */
     double normals[3 * 64];                                 /* as far as this goes */
     SHI_FN(shi_rules) rules;
@@ -5617,12 +5618,8 @@ SHI_INLINE int SHI_FN(shi_polygons_with)(int n, int planes, int channels, int si
         SHI_T x[3 * SHI_MANY(shi_polygon_lanes)];
         SHI_MANY(shi_vector) xv[3];
         int valid = 1, good[SHI_MANY(shi_polygon_lanes)];
-        if (grid) {
-            for (i = 0; i < used; i++) SHI_FN(shi_grid_node)(grid, first + p + (size_t)i, x + 3 * i);
-        } else {
-            memcpy(x, point + 3 * p, (size_t)(3 * used) * sizeof *x);
-        }
         for (i = 0; i < used; i++) {
+            SHI_FN(shi_place)(&places, p + (size_t)i, x + 3 * i);
             good[i] = SHI_FN(shi_finite)(x + 3 * i, 3);
             if (good[i]) continue;
             valid = 0;
