@@ -756,6 +756,60 @@ SHI_KERNEL SHI_V SHI_KN(shi_square_error)(SHI_V d, SHI_V s)
     return ((hi * hi - s) + (hi + hi) * lo) + lo * lo;
 #endif
 }
+/* cosine and sine of |a| <= pi/2: sine/a and cosine in a^2 are mpmath.chebyfit's on [0, (pi/2)^2], 5 and 6 terms for float
+ * (errors 4.3e-9, 2.3e-10), 10 and 10 for double (7e-21) */
+SHI_KERNEL void SHI_KN(shi_arc)(SHI_V a, SHI_V *c, SHI_V *s)
+{
+#if SHI_BITS == 32
+    enum { SINES = 5, COSINES = 6 };
+    static const float sines[5] = { 0.99999999569880902f, -0.16666657947846011f, 0.0083330501706717732f,
+        -0.00019809017408678004f, 2.6051076353347881e-6f };
+    static const float cosines[6] = { 0.99999999977915403f, -0.49999999355437857f, 0.041666636159723193f,
+        -0.0013888360284403018f, 2.4760109673159874e-5f, -2.6050657493719743e-7f };
+#else
+    enum { SINES = 10, COSINES = 10 };
+    static const double sines[10] = { 1.0, -0.16666666666666667, 0.008333333333333333, -0.0001984126984126967,
+        2.7557319223940713e-6, -2.5052108378602197e-8, 1.6059043206300948e-10, -7.6471277399664175e-13,
+        2.8102145350022103e-15, -7.9825189617838324e-18 };
+    static const double cosines[10] = { 1.0, -0.5, 0.04166666666666666, -0.001388888888888853,
+        2.4801587301492642e-5, -2.755731920965447e-7, 2.0876755666578905e-9, -1.1470670165323271e-11,
+        4.7768722491448073e-14, -1.5119827834217994e-16 };
+#endif
+    const SHI_V square = a * a;
+    SHI_V sine = SHI_SPLAT(sines[SINES - 1]), cosine = SHI_SPLAT(cosines[COSINES - 1]);
+    int i;
+    SHI_UNROLL
+    for (i = SINES - 2; i >= 0; i--) sine = SHI_FMA(sine, square, SHI_SPLAT(sines[i]));
+    SHI_UNROLL
+    for (i = COSINES - 2; i >= 0; i--) cosine = SHI_FMA(cosine, square, SHI_SPLAT(cosines[i]));
+    *s = a * sine;
+    *c = cosine;
+}
+/* of |a| <= SHI_MOST_ANGLE, to an ulp of 1: by what k quarter turns leave, pi/2 in pieces whose products with k are exact */
+#if defined(__FAST_MATH__) || defined(_M_FP_FAST)             /* could put the pieces together again: the C library instead */
+#define SHI_MOST_ANGLE SHI_C(0)
+#else
+#define SHI_MOST_ANGLE (SHI_BITS == 32 ? SHI_C(6000) : SHI_C(1e6))
+#endif
+SHI_KERNEL void SHI_KN(shi_turned_arc)(SHI_V a, SHI_V *c, SHI_V *s)
+{
+#if SHI_BITS == 32
+    static const float quarter[3] = { 1.5703125f, 0.0004837512969970703125f, 7.549789954891882e-8f };
+#else
+    static const double quarter[3] = { 1.57079632673412561416626, 6.077100506303965976595549e-11, 2.022266248795950732e-21 };
+#endif
+    const SHI_V half = SHI_SELECT((SHI_M)(a < SHI_SPLAT(0)), SHI_SPLAT(SHI_C(-0.5)), SHI_SPLAT(SHI_C(0.5)));
+    const SHI_M k = SHI_CONVERT(SHI_FMA(SHI_SPLAT(SHI_C(0.63661977236758134308)), a, half), SHI_M);
+    const SHI_M odd = -(k & 1), minus = SHI_KN(shi_sign)(SHI_SPLAT(-1));
+    const SHI_V turns = SHI_CONVERT(k, SHI_V);
+    SHI_V cosine, sine;
+    int i;
+    SHI_UNROLL
+    for (i = 0; i < 3; i++) a = SHI_FNMA(turns, SHI_SPLAT(quarter[i]), a);
+    SHI_KN(shi_arc)(a, &cosine, &sine);
+    *c = SHI_KN(shi_flip)(SHI_SELECT(odd, sine, cosine), -(((k + 1) & 2) >> 1) & minus);
+    *s = SHI_KN(shi_flip)(SHI_SELECT(odd, cosine, sine), -((k & 2) >> 1) & minus);
+}
 /* (c, s) times (x, y) as complex numbers */
 SHI_KERNEL void SHI_KN(shi_turn)(SHI_V x, SHI_V y, SHI_V *c, SHI_V *s)
 {
@@ -923,6 +977,15 @@ SHI_KERNEL int SHI_KN(shi_unit)(const SHI_V v[3], int alone, SHI_V u[4], SHI_V *
     return 1;
 }
 
+/* unit vector from cosine and sine of theta, of phi, as shi_polish has it */
+SHI_KERNEL void SHI_KN(shi_angles_unit)(const SHI_V f[4], SHI_V u[4])
+{
+    u[0] = f[1] * f[2];
+    u[1] = f[1] * f[3];
+    u[2] = f[0];
+    u[3] = SHI_FNMA(f[1], f[1], SHI_SPLAT(SHI_C(0.5)));
+}
+
 #if defined(SHI_SHUFFLE) && SHI_LANES > 1
 #define SHI_PIECE (128 / SHI_BITS)                      /* lanes of 16 bytes: shuffles within such pieces are the cheap ones */
 /* of every piece, these elements of a and, counted on, of b */
@@ -1023,6 +1086,16 @@ SHI_KERNEL void SHI_KN(shi_load3)(const SHI_T *p, int lanes, SHI_V v[3])
 #endif
 }
 
+/* `lanes` numbers, then the last one again */
+SHI_KERNEL SHI_V SHI_KN(shi_load_some)(const SHI_T *p, int lanes)
+{
+    SHI_T t[SHI_W];
+    int i;
+    if (lanes == SHI_W) return SHI_LOAD(p);
+    for (i = 0; i < SHI_W; i++) t[i] = p[i < lanes ? i : lanes - 1];
+    return SHI_LOAD(t);
+}
+
 /* v[3] to W triples */
 SHI_KERNEL void SHI_KN(shi_store3)(SHI_T *p, const SHI_V v[3])
 {
@@ -1064,6 +1137,26 @@ SHI_KERNEL void SHI_KN(shi_store3)(SHI_T *p, const SHI_V v[3])
     for (i = 0; i < SHI_W; i++)
         for (k = 0; k < 3; k++) p[3 * i + k] = t[k][i];
 #endif
+}
+
+/* cosine and sine of finite angles, large ones by the C library */
+SHI_KERNEL void SHI_KN(shi_cos_sin)(SHI_V a, SHI_V *c, SHI_V *s)
+{
+    SHI_T angle[SHI_W], cosine[SHI_W], sine[SHI_W];
+    int i;
+    if (SHI_KN(shi_in_range)(SHI_ABS(a), 0, SHI_MOST_ANGLE)) {
+        SHI_KN(shi_turned_arc)(a, c, s);
+        return;
+    }
+    SHI_STORE(angle, a);
+    for (i = 0; i < SHI_W; i++) {
+        cosine[i] = SHI_LIBM(cos)(angle[i]);
+        sine[i] = SHI_LIBM(sin)(angle[i]);
+        if (SHI_ONE(shi_in_range)(SHI_ONE(shi_abs)(angle[i]), 0, SHI_MOST_ANGLE))
+            SHI_ONE(shi_turned_arc)(angle[i], &cosine[i], &sine[i]);
+    }
+    *c = SHI_LOAD(cosine);
+    *s = SHI_LOAD(sine);
 }
 
 /* W directions, ready for the basis */
@@ -1258,20 +1351,40 @@ SHI_NOINLINE int SHI_KN(shi_plain_big)(int n, int planes, size_t count, const SH
     return SHI_KN(shi_plain_with)(n, planes, count, dirs, y, g, h, stage);
 }
 
-/* a[4][W]: cosine and sine of theta, of phi; y, dt, dp [N][W] */
-SHI_KERNEL int SHI_KN(shi_angles_body_fixed)(int n, const SHI_T *a, SHI_T *y, SHI_T *dt, SHI_T *dp)
+/* y, dt, dp [N][W] */
+SHI_NOINLINE int SHI_KN(shi_angles_to)(int n, const SHI_V f[4], SHI_T *y, SHI_T *dt, SHI_T *dp)
 {
-    SHI_KN(shi_angles_fixed)(n, SHI_LOAD(a), SHI_LOAD(a + SHI_W), SHI_LOAD(a + 2 * SHI_W), SHI_LOAD(a + 3 * SHI_W), y, dt, dp);
-    return SH_OK;
+    SHI_BANDS(n, SHI_KN(shi_angles_fixed), SHI_KN(shi_angles_any), f, y, dt, dp)
 }
-SHI_KERNEL int SHI_KN(shi_angles_body_any)(int n, const SHI_T *a, SHI_T *y, SHI_T *dt, SHI_T *dp)
+
+/* one direction: y, dt, dp [N] */
+SHI_NOINLINE int SHI_KN(shi_angle_to)(int n, const SHI_T f[4], SHI_T *y, SHI_T *dt, SHI_T *dp)
 {
-    SHI_KN(shi_angles_any)(n, SHI_LOAD(a), SHI_LOAD(a + SHI_W), SHI_LOAD(a + 2 * SHI_W), SHI_LOAD(a + 3 * SHI_W), y, dt, dp);
-    return SH_OK;
+#if defined(SHI_LINES)
+    SHI_BANDS(n, SHI_KN(shi_line_angles), SHI_ONE(shi_angles_to), f, y, dt, dp)
+#else
+    return SHI_ONE(shi_angles_to)(n, f, y, dt, dp);
+#endif
 }
-SHI_NOINLINE int SHI_KN(shi_angles_body)(int n, const SHI_T *a, SHI_T *y, SHI_T *dt, SHI_T *dp)
+/* the same from the angles, y, dt, dp may be NULL */
+SHI_NOINLINE int SHI_KN(shi_angle)(int n, SHI_T theta, SHI_T phi, SHI_T *y, SHI_T *dt, SHI_T *dp)
 {
-    SHI_BANDS(n, SHI_KN(shi_angles_body_fixed), SHI_KN(shi_angles_body_any), a, y, dt, dp)
+    SHI_T discard[SH_MAX_BANDS * SH_MAX_BANDS], f[4];
+    if (!SHI_FN(shi_finite)(&theta, 1) || !SHI_FN(shi_finite)(&phi, 1)) return SH_ERROR_NOT_FINITE;
+#if SHI_LANES == 1
+    SHI_KN(shi_cos_sin)(theta, &f[0], &f[1]);
+    SHI_KN(shi_cos_sin)(phi, &f[2], &f[3]);
+#else
+    {
+        SHI_V c, s;
+        SHI_KN(shi_cos_sin)(SHI_KN(shi_where)(1, 1, SHI_SPLAT(phi), SHI_SPLAT(theta)), &c, &s);
+        f[0] = c[0];
+        f[1] = s[0];
+        f[2] = c[1];
+        f[3] = s[1];
+    }
+#endif
+    return SHI_KN(shi_angle_to)(n, f, y ? y : discard, dt ? dt : discard, dp ? dp : discard);
 }
 
 /* theta[count], phi[count] to y, dt, dp [count][N] or NULL; stage[3][N][W] */
@@ -1285,34 +1398,22 @@ SHI_KERNEL int SHI_KN(shi_angles_with)(int n, size_t count, const SHI_T *theta, 
     size_t p;
     for (p = 0; p < count; p += SHI_W) {
         const int lanes = count - p < SHI_W ? (int)(count - p) : SHI_W;
-        SHI_T a[4][SHI_W], *to[3];
-        int good = 1;
-        for (i = 0; i < SHI_W && good; i++) {
-            const size_t at = p + (size_t)(i < lanes ? i : lanes - 1);
-            good = SHI_FN(shi_finite)(theta + at, 1) && SHI_FN(shi_finite)(phi + at, 1);
-            if (!good) break;
-            a[0][i] = SHI_LIBM(cos)(theta[at]);
-            a[1][i] = SHI_LIBM(sin)(theta[at]);
-            a[2][i] = SHI_LIBM(cos)(phi[at]);
-            a[3][i] = SHI_LIBM(sin)(phi[at]);
-        }
-        if (good) {
-            for (k = 0; k < 3; k++) to[k] = SHI_W == 1 && out[k] ? out[k] + p * step : stage + k * size * SHI_W;
-            SHI_KN(shi_angles_body)(n, a[0], to[0], to[1], to[2]);
-            for (k = 0; k < 3 && SHI_W > 1; k++)
-                if (out[k]) SHI_KN(shi_transpose_block)(to[k], SHI_W, size, out[k] + p * step, step, lanes);
-        } else {
-#if SHI_LANES == 1
-            status = SH_ERROR_NOT_FINITE;
-#else
+        SHI_V f[4];
+        if (!SHI_FN(shi_finite)(theta + p, (size_t)lanes) || !SHI_FN(shi_finite)(phi + p, (size_t)lanes)) {
             for (i = 0; i < lanes; i++) {
                 const size_t at = p + (size_t)i;
-                const int bad = SHI_ONE(shi_angles)(n, 1, theta + at, phi + at, y ? y + at * step : NULL,
-                                                    dt ? dt + at * step : NULL, dp ? dp + at * step : NULL);
+                const int bad = SHI_KN(shi_angle)(n, theta[at], phi[at], y ? y + at * step : NULL, dt ? dt + at * step : NULL,
+                                                  dp ? dp + at * step : NULL);
                 status = bad ? bad : status;
             }
-#endif
+            continue;
         }
+        SHI_KN(shi_cos_sin)(SHI_KN(shi_load_some)(theta + p, lanes), &f[0], &f[1]);
+        SHI_KN(shi_cos_sin)(SHI_KN(shi_load_some)(phi + p, lanes), &f[2], &f[3]);
+        SHI_KN(shi_angles_to)(n, f, stage, stage + size * SHI_W, stage + 2 * size * SHI_W);
+        for (k = 0; k < 3; k++)
+            if (out[k])
+                SHI_KN(shi_transpose_block)(stage + k * size * SHI_W, SHI_W, size, out[k] + p * step, step, lanes);
     }
     return status;
 }
@@ -2474,56 +2575,47 @@ SHI_KERNEL int SHI_BN(shi_blocks)(int n, int planes, size_t blocks, const SHI_T 
     return status;
 }
 
-/* y, dtheta, dphi [N] from cosine and sine of theta and phi (M22 Eq. 31-33: X and Z share the norm, which is applied
- * last) */
-SHI_KERNEL void SHI_BN(shi_angles)(int n, SHI_V ct, SHI_V st, SHI_V cp, SHI_V sp, SHI_T *y, SHI_T *dt, SHI_T *dp)
+/* y, dtheta, dphi [N][W] from f = cosine and sine of theta, of phi. dq/dtheta is -sin theta dq/dz, the next column again, and
+ * dU_m/dtheta = m cos theta U_m/sin(theta), whose quotient is U_{m-1} without its last sine */
+SHI_KERNEL int SHI_BN(shi_angles)(int n, const SHI_V f[4], SHI_T *y, SHI_T *dt, SHI_T *dp)
 {
-    const SHI_V x = -(st * cp), v = -(st * sp);
-    const SHI_V polar = (st * st) / (SHI_C(1) + SHI_ABS(ct));   /* 1 - |cos|: values as in shi_column beyond 10 bands */
-    const SHI_V side = SHI_SELECT((SHI_M)(ct < SHI_SPLAT(0)), SHI_SPLAT(-1), SHI_SPLAT(1));
-    SHI_V c = SHI_SPLAT(1), s = SHI_SPLAT(0), c1 = c, s1 = s;       /* U_m, V_m, and the two over sin(theta) */
+    const SHI_V ct = f[0], fall = -f[1], cp = f[2], sp = f[3], zero = SHI_SPLAT(0);
+    SHI_V u[4], a[2], column[SHI_RING][SHI_COLUMN], c[SHI_COLUMN], s[SHI_COLUMN];
     int l, m;
+    SHI_KN(shi_angles_unit)(f, u);
+    SHI_BN(shi_polar)(u, a);
+    SHI_BN(shi_column)(0, n, a, column);
     SHI_LOOP
     for (m = 0; m < n; m++) {
-        SHI_V q0 = SHI_SPLAT(0), q1 = SHI_SPLAT(1), t0 = q0, t1 = q0, p = q1, d = q0;
-        if (m > 0) {
-            const SHI_V next = m == 1 ? -cp : SHI_FMA(x, c1, -(v * s1));
-            s1 = m == 1 ? -sp : SHI_FMA(x, s1, v * c1);
-            c1 = next;
-            c = st * c1;
-            s = st * s1;
+        const SHI_V *const q0 = column[m % SHI_RING], *const q1 = column[(m + 1) % SHI_RING];
+        const SHI_V mt = SHI_C(m) * ct;
+        SHI_V less_c = zero, less_s = zero;
+        SHI_BN(shi_column)(m + 1, n, a, column);
+        SHI_KN(shi_power)(m, u, c, s);
+        if (m) {
+            less_c = SHI_FNMA(cp, c[m - 1], sp * s[m - 1]);
+            less_s = SHI_FNMA(cp, s[m - 1], -(sp * c[m - 1]));
         }
         SHI_LOOP
         for (l = m; l < n; l++) {
-            const SHI_T norm = SHI_FN(shi_norm)[SHI_ROWS(l, m)], beta = SHI_FN(shi_beta)[SHI_ROWS(l, m)];
+            const SHI_V q = q0[l], t = fall * (l > m ? SHI_FN(shi_slope)[SHI_ROWS(l, m)] * q1[l] : zero);
             const int at = l * l + l;
-            SHI_V q, t;
-            if (l > m) {
-                const SHI_V next = SHI_FMA(ct, q1, -beta * q0), slope = SHI_FMA(ct, t1, SHI_FMA(-st, q1, -beta * t0));
-                q0 = q1;
-                q1 = next;
-                t0 = t1;
-                t1 = slope;
-                d = SHI_KN(shi_fall)(SHI_SPLAT(SHI_FN(shi_ratio)[SHI_ROWS(l, m)]), polar, p, d);
-                p = p - d;
-            }
-            q = SHI_FN(shi_pole)[SHI_ROWS(l, m)] * ((l - m) & 1 ? side * p : p);
-            t = norm * t1;
             if (m == 0) {
                 SHI_STORE(y + at * SHI_W, q);
-                SHI_STORE(dt + at * SHI_W, t);
-                SHI_STORE(dp + at * SHI_W, SHI_SPLAT(0));
+                SHI_STORE(dt + at * SHI_W, t + zero);           /* no -0, as where orders are in the lanes */
+                SHI_STORE(dp + at * SHI_W, zero);
             } else {
-                const SHI_V w = SHI_C(m) * (ct * q), yc = q * c, s_ = q * s;
+                const SHI_V w = mt * q, yc = q * c[m], ys = q * s[m];
                 SHI_STORE(y + (at + m) * SHI_W, yc);
-                SHI_STORE(y + (at - m) * SHI_W, s_);
-                SHI_STORE(dt + (at + m) * SHI_W, SHI_FMA(w, c1, t * c));
-                SHI_STORE(dt + (at - m) * SHI_W, SHI_FMA(w, s1, t * s));
-                SHI_STORE(dp + (at + m) * SHI_W, SHI_C(-m) * s_);
+                SHI_STORE(y + (at - m) * SHI_W, ys);
+                SHI_STORE(dt + (at + m) * SHI_W, SHI_FMA(w, less_c, t * c[m]));
+                SHI_STORE(dt + (at - m) * SHI_W, SHI_FMA(w, less_s, t * s[m]));
+                SHI_STORE(dp + (at + m) * SHI_W, SHI_C(-m) * ys);
                 SHI_STORE(dp + (at - m) * SHI_W, SHI_C(m) * yc);
             }
         }
     }
+    return SH_OK;
 }
 
 #if SHI_FIXED && defined(SHI_LINES)
@@ -2619,21 +2711,68 @@ SHI_KERNEL SHI_V SHI_KN(shi_line_next)(int n, int k, const SHI_V *q)
     return v;
 }
 
+/* orders and columns of a unit vector, and what derives the orders: U_x = V_y, U_y and V_x or, for angles, U and V over
+ * sin(theta) */
+typedef struct {
+    SHI_V u[4], c[SH_MAX_BANDS / SHI_W], s[SH_MAX_BANDS / SHI_W], q[SHI_LINE_REGISTERS], slope[3][SHI_ORDER_REGISTERS];
+} SHI_KN(shi_line);
+SHI_KERNEL void SHI_KN(shi_line_start)(int n, SHI_KN(shi_line) *o)
+{
+    int k;
+    SHI_KN(shi_powers)(n, o->u, o->c, o->s);
+    SHI_UNROLL
+    for (k = 0; 1 + k * SHI_W < n * n; k++) o->q[k] = SHI_KN(shi_line_column)(n, k, o->u);
+}
+/* of register k: d/dz of q_l^|m|, |m|, and q itself but 0 for m = 0, which has no such terms in shi_gradient and shi_angles */
+SHI_KERNEL void SHI_KN(shi_line_terms)(int n, int k, const SHI_V *q, SHI_V *d, SHI_V *order, SHI_V *qm)
+{
+    const int at = SHI_KN(shi_line_at)(n, k);
+    SHI_T m[SHI_W];
+    int zonal[SHI_W], j;
+    SHI_UNROLL
+    for (j = 0; j < SHI_W; j++) {
+        zonal[j] = shi_order_of[at + j] == 0;
+        m[j] = SHI_C(shi_abs(shi_order_of[at + j]));
+    }
+    *d = SHI_LOAD(SHI_FN(shi_line_slope) + at) * SHI_KN(shi_line_next)(n, k, q);
+    *order = SHI_LOAD(m);
+    *qm = SHI_KN(shi_blend)(zonal, SHI_SPLAT(0), q[k]);
+}
+/* for every register, in two loops: clang 14 unrolls none as long as both */
+#define SHI_LINE_EACH(n, k, put) do { \
+        const int all = (n * n + SHI_W - 2) / SHI_W, half = SHI_LINE_REGISTERS / 2; \
+        SHI_UNROLL \
+        for (k = 0; k < (all < half ? all : half); k++) put; \
+        SHI_UNROLL \
+        for (k = half; k < all; k++) put; \
+    } while (0)
+
+SHI_KERNEL void SHI_KN(shi_line_put)(int n, int planes, int k, const SHI_KN(shi_line) *o, SHI_V i, SHI_T *y, SHI_T *g)
+{
+    const int at = SHI_KN(shi_line_at)(n, k);
+    const SHI_V f = SHI_KN(shi_line_spread)(n, k, o->c, o->s);
+    SHI_KN(shi_put_line)(n, at, o->q[k] * f, y);
+    if (planes == SH_GRADIENT) {
+        const SHI_V ux = SHI_KN(shi_line_spread)(n, k, o->slope[0], o->slope[2]);
+        const SHI_V uy = SHI_KN(shi_line_spread)(n, k, o->slope[1], o->slope[0]);
+        SHI_V d, order, qm, b;
+        SHI_KN(shi_line_terms)(n, k, o->q, &d, &order, &qm);
+        b = SHI_FMA(o->u[2], d, order * qm);
+        SHI_KN(shi_put_line)(n, at, SHI_FMA((-o->u[0] * i) * f, b, qm * ux), g);
+        SHI_KN(shi_put_line)(n, at, SHI_FMA((-o->u[1] * i) * f, b, qm * uy), g + n * n);
+        SHI_KN(shi_put_line)(n, at, (i * f) * SHI_FNMA(o->u[2], b, d), g + 2 * n * n);
+    }
+}
 /* What shi_values and shi_gradient give, to the bit: y[N] and, if planes say so, g[3][N]. Returns 0, and writes
  * nothing, when the direction is out of range */
-SHI_KERNEL int SHI_KN(shi_one_line)(int n, int planes, const SHI_T d[3], SHI_T *y, SHI_T *g)
+SHI_KERNEL int SHI_KN(shi_one_line)(int n, int planes, const SHI_T v[3], SHI_T *y, SHI_T *g)
 {
-    SHI_V v[3], u[4], i, xi, yi, q[SHI_LINE_REGISTERS], c[SH_MAX_BANDS / SHI_W], s[SH_MAX_BANDS / SHI_W];
-    /* dU/dx = dV/dy, dU/dy, dV/dx, times 1/|v| */
-    SHI_V ux[SHI_ORDER_REGISTERS], uy[SHI_ORDER_REGISTERS], vx[SHI_ORDER_REGISTERS];
+    SHI_KN(shi_line) o;
+    SHI_V w[3], i;
     int r, k, j;
-    v[0] = SHI_KEEP(SHI_SPLAT(d[0]));           /* or gcc multiplies before it spreads */
-    v[1] = SHI_KEEP(SHI_SPLAT(d[1]));
-    v[2] = SHI_KEEP(SHI_SPLAT(d[2]));
-    if (!SHI_KN(shi_unit)(v, 1, u, &i)) return 0;
-    xi = -u[0] * i;
-    yi = -u[1] * i;
-    SHI_KN(shi_powers)(n, u, c, s);
+    for (k = 0; k < 3; k++) w[k] = SHI_KEEP(SHI_SPLAT(v[k]));       /* or gcc multiplies before it spreads */
+    if (!SHI_KN(shi_unit)(w, 1, o.u, &i)) return 0;
+    SHI_KN(shi_line_start)(n, &o);
     y[0] = SHI_HORNER(0, 0, 0);
     if (planes == SH_GRADIENT) {
         g[0] = g[n * n] = g[2 * n * n] = 0;
@@ -2645,37 +2784,53 @@ SHI_KERNEL int SHI_KN(shi_one_line)(int n, int planes, const SHI_T d[3], SHI_T *
                 plus[j] = SHI_C(r * SHI_W + j);
                 minus[j] = SHI_C(-r * SHI_W - j);
             }
-            ux[r] = (SHI_LOAD(minus) * i) * SHI_KN(shi_line_before)(r, c);
-            uy[r] = (SHI_LOAD(plus) * i) * SHI_KN(shi_line_before)(r, s);
-            vx[r] = -uy[r];
+            o.slope[0][r] = (SHI_LOAD(minus) * i) * SHI_KN(shi_line_before)(r, o.c);
+            o.slope[1][r] = (SHI_LOAD(plus) * i) * SHI_KN(shi_line_before)(r, o.s);
+            o.slope[2][r] = -o.slope[1][r];
         }
     }
-    SHI_UNROLL
-    for (k = 0; 1 + k * SHI_W < n * n; k++) q[k] = SHI_KN(shi_line_column)(n, k, u);
-    SHI_UNROLL
-    for (k = 0; 1 + k * SHI_W < n * n; k++) {
-        const int at = SHI_KN(shi_line_at)(n, k);
-        const SHI_V f = SHI_KN(shi_line_spread)(n, k, c, s);
-        SHI_KN(shi_put_line)(n, at, q[k] * f, y);
-        if (planes == SH_GRADIENT) {
-            const SHI_V dq = SHI_LOAD(SHI_FN(shi_line_slope) + at) * SHI_KN(shi_line_next)(n, k, q);
-            SHI_T order[SHI_W];
-            SHI_V b, qm;                                    /* qm: no such terms in shi_gradient for m = 0 */
-            int zonal[SHI_W];
-            SHI_UNROLL
-            for (j = 0; j < SHI_W; j++) {
-                zonal[j] = shi_order_of[at + j] == 0;
-                order[j] = SHI_C(shi_abs(shi_order_of[at + j]));
-            }
-            qm = SHI_KN(shi_blend)(zonal, SHI_SPLAT(0), q[k]);
-            b = SHI_FMA(u[2], dq, SHI_LOAD(order) * qm);
-            SHI_KN(shi_put_line)(n, at, SHI_FMA(xi * f, b, qm * SHI_KN(shi_line_spread)(n, k, ux, vx)), g);
-            SHI_KN(shi_put_line)(n, at, SHI_FMA(yi * f, b, qm * SHI_KN(shi_line_spread)(n, k, uy, ux)), g + n * n);
-            SHI_KN(shi_put_line)(n, at, (i * f) * SHI_FNMA(u[2], b, dq), g + 2 * n * n);
-        }
-    }
+    SHI_LINE_EACH(n, k, SHI_KN(shi_line_put)(n, planes, k, &o, i, y, g));
     return 1;
 }
+
+SHI_KERNEL void SHI_KN(shi_line_put_angles)(int n, int k, const SHI_KN(shi_line) *o, const SHI_V f[4], SHI_T *y, SHI_T *dt,
+                                            SHI_T *dp)
+{
+    const int at = SHI_KN(shi_line_at)(n, k);
+    const SHI_V e = SHI_KN(shi_line_spread)(n, k, o->c, o->s), other = SHI_KN(shi_line_spread)(n, k, o->s, o->c);
+    const SHI_V less = SHI_KN(shi_line_spread)(n, k, o->slope[0], o->slope[1]);
+    SHI_T minus[SHI_W];
+    SHI_V d, order, qm;
+    int j;
+    SHI_UNROLL
+    for (j = 0; j < SHI_W; j++) minus[j] = SHI_C(-shi_order_of[at + j]);
+    SHI_KN(shi_line_terms)(n, k, o->q, &d, &order, &qm);
+    SHI_KN(shi_put_line)(n, at, o->q[k] * e, y);
+    SHI_KN(shi_put_line)(n, at, SHI_FMA((order * f[0]) * qm, less, (-f[1] * d) * e), dt);
+    SHI_KN(shi_put_line)(n, at, SHI_LOAD(minus) * (qm * other), dp);
+}
+/* what shi_angles gives, to the bit: y, dt, dp [N] */
+SHI_KERNEL int SHI_KN(shi_line_angles)(int n, const SHI_T part[4], SHI_T *y, SHI_T *dt, SHI_T *dp)
+{
+    SHI_KN(shi_line) o;
+    SHI_V f[4];
+    int r, k;
+    for (k = 0; k < 4; k++) f[k] = SHI_KEEP(SHI_SPLAT(part[k]));
+    SHI_KN(shi_angles_unit)(f, o.u);
+    SHI_KN(shi_line_start)(n, &o);
+    SHI_UNROLL
+    for (r = 0; r * SHI_W < n; r++) {
+        const SHI_V c = SHI_KN(shi_line_before)(r, o.c), s = SHI_KN(shi_line_before)(r, o.s);
+        o.slope[0][r] = SHI_FNMA(f[2], c, f[3] * s);
+        o.slope[1][r] = SHI_FNMA(f[2], s, -(f[3] * c));
+    }
+    o.slope[0][0] = SHI_KN(shi_where)(SHI_W - 1, 0, SHI_SPLAT(0), o.slope[0][0]);
+    y[0] = SHI_HORNER(0, 0, 0);
+    dt[0] = dp[0] = 0;
+    SHI_LINE_EACH(n, k, SHI_KN(shi_line_put_angles)(n, k, &o, f, y, dt, dp));
+    return SH_OK;
+}
+#undef SHI_LINE_EACH
 #endif
 
 #if SHI_LANES == 1 || (SHI_FIXED && !defined(SHI_LINES))
@@ -3019,7 +3174,8 @@ SHI_INLINE int SHI_FN(shi_spheres_with)(const SHI_FN(shi_lights) *o, int most, S
         }
         for (c = 0; c < o->channels; c += most) {
             const int channels = o->channels - c < most ? o->channels - c : most;
-            const int flags = SHI_FN(shi_spheres_at)(o, c, channels, x, work, out + (p * (size_t)o->channels + (size_t)c) * block);
+            const int flags = SHI_FN(shi_spheres_at)(o, c, channels, x, work,
+                                                     out + (p * (size_t)o->channels + (size_t)c) * block);
             if (flags & SHI_NOT_FINITE) return SH_ERROR_NOT_FINITE;
             if (flags & SHI_BAD_RADIUS) return SH_ERROR_RADIUS;
             if (flags && status == SH_OK) status = SH_INSIDE;
@@ -3141,14 +3297,14 @@ SH_API int SHI_FN(sh_eval_hessian_blocks)(int bands, size_t blocks, const SHI_T 
  *   theta, phi  finite (else SH_ERROR_NOT_FINITE), any theta
  * At a pole dtheta is the derivative along the meridian phi, and dphi is 0: moving phi there moves nothing.
  * Error:  y, dtheta as sh_eval_grad at |v| = 1, dphi m times the bound of y; angles are taken as exact.
- * Source: M22 Eq. 17-22 and 30-33, misprints corrected, sin^{m-1}(theta) kept as a factor. */
+ * Source: M22 Eq. 17-22; dq/dtheta = -sin(theta) q' from the next column in place of the recurrences of Eq. 30-33. */
 SH_API int SHI_FN(sh_eval_angles)(int bands, SHI_T theta, SHI_T phi, SHI_T *y, SHI_T *dtheta, SHI_T *dphi)
 {
     const size_t out = (size_t)bands * (size_t)bands * sizeof *y;
     if (bands < 1 || bands > SH_MAX_BANDS) return SH_ERROR_BANDS;
     if (shi_overlap(y, out, dtheta, out) || shi_overlap(y, out, dphi, out) || shi_overlap(dtheta, out, dphi, out))
         return SH_ERROR_OVERLAP;
-    return SHI_ONE(shi_angles)(bands, 1, &theta, &phi, y, dtheta, dphi);
+    return SHI_MANY(shi_angle)(bands, theta, phi, y, dtheta, dphi);
 }
 
 /* Many: theta[count], phi[count]; y, dtheta, dphi [count][N] or NULL. */
