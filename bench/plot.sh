@@ -24,6 +24,18 @@ speedup() {
          $1 in b { print $1, b[$1] / $2 }'
 }
 
+# the same colour for an implementation in every plot; others take theirs in turn
+colour() {
+    case $1 in
+    polynomial) echo "#999999" ;;
+    sloan | sloan_like) echo "#d55e00" ;;
+    direct) echo "#e69f00" ;;
+    library) echo "#0072b2" ;;
+    library_n) echo "#56b4e9" ;;
+    library_blocks) echo "#009e73" ;;
+    esac
+}
+
 # draw FILE TITLE XLABEL YLABEL LOG FILES...: one curve per data file, named after it
 draw() {
     file=$1 title=$2 x=$3 y=$4 log=$5
@@ -31,17 +43,22 @@ draw() {
     curves=
     for f in "$@"; do
         [ -s "$f" ] || continue
-        curves="$curves${curves:+, }'$f' with linespoints lw 2 pt 7 ps 0.6 title '$(basename "$f" | tr _ ' ')'"
+        name=$(basename "$f")
+        lc=$(colour "$name")
+        curves="$curves${curves:+, }'$f' with linespoints lw 2 pt 7 ps 0.6 ${lc:+lc rgb '$lc'} title '$(echo "$name" | tr _ ' ')'"
     done
     [ -n "$curves" ] || return 0
     gnuplot <<EOF
-set terminal svg size 720,440 font "sans,13" background "white"
+set terminal svg size 840,440 font "sans,13" background "white"
 set output "$out/bench-$file.svg"
 set title "$title"
 set xlabel "$x"
 set ylabel "$y"
-set key left top
+set key outside right top reverse Left samplen 2
 set grid lc rgb "#dddddd"
+set linetype cycle 8
+set for [i = 1:8] linetype i lc rgb word("#0072b2 #d55e00 #009e73 #cc79a7 #56b4e9 #e69f00 #000000 #999999", i)
+$(case $x in bands) echo "set xtics 1" ;; esac)
 $log
 plot $curves
 EOF
@@ -81,6 +98,12 @@ for impl in triple zonal zonal3 world world_rotated world_n world_rotated_n; do
 done
 draw product "clamped-cosine product, f32" bands "ns per vector" "set logscale y" "$work"/product/*
 
+mkdir "$work/interp"
+for scheme in trilinear half_taylor blended_taylor hermite_zero hermite_mixed edge_hermite; do
+    rows interp $scheme library > "$work/interp/$scheme"
+done
+draw interp "coefficients between the nodes of a grid, f32" bands "ns per query" "set logscale y" "$work"/interp/*
+
 # Whole grids: cost by the number of lights and of nodes (M22 Fig. 13, 14). ns per item times items, in ms.
 for by in lights nodes; do
     mkdir "$work/grid_$by"
@@ -89,5 +112,6 @@ for by in lights nodes; do
             rows grid_$by $kernel $impl items | awk '{ print $1, $1 * $2 * 1e-6 }' > "$work/grid_$by/${kernel}_$impl"
         done
     done
-    draw "grid-$by" "grid of coefficients, 5 bands, f32" "$by" ms "set logscale xy" "$work"/grid_$by/*
+    case $by in lights) over="a grid of 8 x 8 x 8 nodes" ;; *) over="a grid lit by 648 lights" ;; esac
+    draw "grid-$by" "$over, 5 bands, f32" "$by" ms "set logscale xy" "$work"/grid_$by/*
 done
