@@ -2989,34 +2989,38 @@ SHI_NOINLINE int SHI_FN(shi_light_field)(int n, size_t count, const SHI_T *dirs,
                                          const SHI_T *radiance,
                                          const SHI_T *depth, const SHI_T *normals, SHI_T *coeffs, SHI_T *grad)
 {
-    SHI_T sum[4][SH_MAX_BANDS * SH_MAX_BANDS], y[SH_MAX_BANDS * SH_MAX_BANDS], g[3 * SH_MAX_BANDS * SH_MAX_BANDS];
+    double sum[4][SH_MAX_BANDS * SH_MAX_BANDS];
+    SHI_T y[SH_MAX_BANDS * SH_MAX_BANDS], g[3 * SH_MAX_BANDS * SH_MAX_BANDS];
     const int size = n * n;
     size_t t;
     int i, k;
-    memset(sum, 0, sizeof sum);
+    for (k = 0; k < 4; k++)
+        for (i = 0; i < size; i++) sum[k][i] = 0;
     for (t = 0; t < count; t++) {
         const SHI_T *const w = dirs + 3 * t, *a;
         const SHI_T power = solid_angles[t] * radiance[t];
-        SHI_T u[4], inverse, facing, least, scale;
+        SHI_T u[4], normal[3], inverse, facing, least, scale, largest = 0;
         if (!SHI_MANY(shi_single_gradient)(n, w, y, grad ? g : NULL)) return SHI_FN(shi_direction_status)(w);
-        for (i = 0; i < size; i++) sum[0][i] += power * y[i];
+        for (i = 0; i < size; i++) sum[0][i] += (double)(power * y[i]);
         if (!grad) continue;
         a = normals + 3 * t;
         if (depth[t] <= 0) return SH_ERROR_RADIUS;
         if (!SHI_FN(shi_finite)(a, 3) || SHI_FN(shi_is_nan)(depth[t])) return SH_ERROR_NOT_FINITE;
         if (!SHI_FN(shi_finite)(depth + t, 1)) continue;
         (void)SHI_ONE(shi_unit)(w, 1, u, &inverse);
-        least = SHI_C(1e-3) * SHI_LIBM(sqrt)(a[0] * a[0] + a[1] * a[1] + a[2] * a[2]);
-        facing = a[0] * u[0] + a[1] * u[1] + a[2] * u[2];
+        for (k = 0; k < 3; k++) largest = SHI_LIBM(fabs)(a[k]) > largest ? SHI_LIBM(fabs)(a[k]) : largest;
+        for (k = 0; k < 3; k++) normal[k] = largest > 0 ? a[k] / largest : 0;                  /* of any length */
+        least = SHI_C(1e-3) * SHI_LIBM(sqrt)(normal[0] * normal[0] + normal[1] * normal[1] + normal[2] * normal[2]);
+        facing = normal[0] * u[0] + normal[1] * u[1] + normal[2] * u[2];
         if (SHI_LIBM(fabs)(facing) < least) facing = facing < 0 ? -least : least;
         scale = power / depth[t];
         for (k = 0; k < 3; k++) {
-            const SHI_T e = (least > 0 ? a[k] / facing : 0) - 3 * u[k];
-            for (i = 0; i < size; i++) sum[k + 1][i] -= scale * (g[k * size + i] / inverse + y[i] * e);
+            const SHI_T e = (least > 0 ? normal[k] / facing : 0) - 3 * u[k];
+            for (i = 0; i < size; i++) sum[k + 1][i] -= (double)(scale * (g[k * size + i] / inverse + y[i] * e));
         }
     }
-    memcpy(coeffs, sum[0], (size_t)size * sizeof *coeffs);
-    for (k = 0; k < 3 && grad; k++) memcpy(grad + k * size, sum[k + 1], (size_t)size * sizeof *grad);
+    for (i = 0; i < size; i++) coeffs[i] = (SHI_T)sum[0][i];
+    for (i = 0; i < 3 * size && grad; i++) grad[i] = (SHI_T)sum[1 + i / size][i % size];
     return SH_OK;
 }
 
@@ -3364,19 +3368,29 @@ SH_API int SHI_FN(sh_reconstruct)(int bands, const SHI_T *coeffs, const SHI_T di
  *   dirs     [count][3], lengths as in sh_eval; a bad one is an error of the call
  *   weights  [count]
  *   coeffs   [N], overwritten; count 0 gives zeros
- * Error:  |coeffs - exact| <= (8 + l(l+1)/4 + count/64) eps M_l sum |weights|. */
+ * Error:  |coeffs - exact| <= (8 + l(l+1)/4 + min(count, 4096)/64) eps M_l sum |weights|. */
 SH_API int SHI_FN(sh_project_n)(int bands, size_t count, const SHI_T *dirs, const SHI_T *weights, SHI_T *coeffs)
 {
-    const size_t size = (size_t)bands * (size_t)bands, item = sizeof *coeffs;
+    const size_t size = (size_t)bands * (size_t)bands, item = sizeof *coeffs, most = 4096;
+    double total[SH_MAX_BANDS * SH_MAX_BANDS], lost[SH_MAX_BANDS * SH_MAX_BANDS];       /* of the sums of so many */
     SHI_T sum[SH_MAX_BANDS * SH_MAX_BANDS];
+    size_t p, i;
     if (!coeffs || (count && (!dirs || !weights))) return SH_ERROR_NULL;
     if (bands < 1 || bands > SH_MAX_BANDS) return SH_ERROR_BANDS;
     if (count > SHI_MOST_ITEMS) return SH_ERROR_COUNT;
     if (shi_overlap(dirs, 3 * count * item, coeffs, size * item) || shi_overlap(weights, count * item, coeffs, size * item))
         return SH_ERROR_OVERLAP;
-    if (SHI_WIDE(shi_moments_values)(bands, 1, NULL, count, dirs, weights, sum))
-        return SHI_FN(shi_finite)(dirs, 3 * count) ? SH_ERROR_DIRECTION : SH_ERROR_NOT_FINITE;
-    memcpy(coeffs, sum, size * item);
+    for (i = 0; i < size; i++) total[i] = lost[i] = 0;
+    for (p = 0; p < count; p += most) {
+        if (SHI_WIDE(shi_moments_values)(bands, 1, NULL, count - p < most ? count - p : most, dirs + 3 * p, weights + p, sum))
+            return SHI_FN(shi_finite)(dirs, 3 * count) ? SH_ERROR_DIRECTION : SH_ERROR_NOT_FINITE;
+        for (i = 0; i < size; i++) {                            /* Neumaier: rounding stops growing with count */
+            const double add = (double)sum[i], all = total[i] + add;
+            lost[i] += fabs(total[i]) >= fabs(add) ? (total[i] - all) + add : (add - all) + total[i];
+            total[i] = all;
+        }
+    }
+    for (i = 0; i < size; i++) coeffs[i] = (SHI_T)(total[i] + lost[i]);
     return SH_OK;
 }
 
@@ -3387,11 +3401,12 @@ SH_API int SHI_FN(sh_project_n)(int bands, size_t count, const SHI_T *dirs, cons
  *   solid_angles  [count], steradians
  *   radiance      [count]; NaN goes through
  *   depth         [count], distance along the direction, > 0 (else SH_ERROR_RADIUS); infinity means no parallax
- *   normals       [count][3] of the surface seen, either orientation; zero: the orientation term is left out
+ *   normals       [count][3] of the surface seen, any length and either orientation; zero: the orientation term is left out
  *   coeffs        [N]
  *   grad          [3][N] or NULL
  * The gradient is exact for planar emitters up to the sampling. At a silhouette n.w goes to 0: |n.w| is taken as at
  * least 1e-3 |n|, which bounds what a grazing texel can add.
+ * Error:  |coeffs - exact| <= (8 + l(l+1)/4) eps M_l sum |solid_angles radiance|, however many samples (double: + count/2).
  * Source: A04 Eq. 10-13, with the same signed normal in both terms. */
 SH_API int SHI_FN(sh_light_field)(int bands, size_t count, const SHI_T *dirs, const SHI_T *solid_angles,
                                   const SHI_T *radiance,

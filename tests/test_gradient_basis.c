@@ -26,7 +26,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         BOTH_TESTS(convention), BOTH_TESTS(values), BOTH_TESTS(gradient), BOTH_TESTS(hessian), BOTH_TESTS(angles),
         BOTH_TESTS(addition_theorem), BOTH_TESTS(orthonormality), BOTH_TESTS(euler_and_laplace),
-        BOTH_TESTS(reconstruct), BOTH_TESTS(project), BOTH_TESTS(batches), BOTH_TESTS(optional_outputs),
+        BOTH_TESTS(reconstruct), BOTH_TESTS(project), BOTH_TESTS(project_many), BOTH_TESTS(batches), BOTH_TESTS(optional_outputs),
     };
     return RUN_TESTS(tests);
 }
@@ -372,6 +372,36 @@ static void F(project)(void **state)
             }
         }
     row_close(w);
+}
+
+/* A cube map's worth of samples of one sign: running sums in T would drift with their number. */
+static void F(project_many)(void **state)
+{
+    enum { MANY = 300000, BANDS = 3 };
+    row *wp = row_open("sh_project_n, 300000 samples", PRECISION), *wf = row_open("sh_light_field, 300000 samples", PRECISION);
+    static T dirs[3 * MANY], weights[MANY], one[MANY];
+    T c[BANDS * BANDS], f[BANDS * BANDS];
+    long double sum[BANDS * BANDS] = { 0 }, y[BANDS * BANDS], total = 0;
+    int i, j;
+    (void)state;
+    for (j = 0; j < MANY; j++) {
+        long double p[3];
+        F(random_unit)(dirs + 3 * j, p);
+        weights[j] = (T)(4 * 3.14159265358979 / MANY);
+        one[j] = 1;
+        ref_values(BANDS, p, y);
+        for (i = 0; i < BANDS * BANDS; i++) sum[i] += weights[j] * y[i];
+        total += (long double)weights[j];
+    }
+    assert_int_equal(F(sh_project_n)(BANDS, MANY, dirs, weights, c), SH_OK);
+    assert_int_equal(F(sh_light_field)(BANDS, MANY, dirs, weights, one, NULL, NULL, f, NULL), SH_OK);
+    for (i = 0; i < BANDS * BANDS; i++) {
+        const int l = ref_band(i);
+        row_check(wp, c[i], sum[i], (8 + l * (l + 1) / 4.0L + 64) * (long double)EPS * ref_M(l) * total, i);
+        row_check(wf, f[i], sum[i], (8 + l * (l + 1) / 4.0L + (IS_F32 ? 0 : MANY / 2)) * (long double)EPS * ref_M(l) * total, i);
+    }
+    row_close(wp);
+    row_close(wf);
 }
 
 /* Every batch gives the bits of the single call, whatever the count and the place; nothing is written beyond. */

@@ -461,6 +461,7 @@ static void F(light_field)(void **state)
         memset(bound, 0, sizeof bound);
         for (j = 0; j < count; j++) {
             ref_jet p[3], dot = ref_const(0), r2 = ref_const(0), weight;
+            const double tiny = IS_F32 ? 1e-30 : 1e-200, length = j % 3 == 0 ? 1 : j % 3 == 1 ? tiny : 1 / tiny;
             double u[3], n[3], cosine = 0;
             ref_unit(u);
             do {
@@ -472,7 +473,7 @@ static void F(light_field)(void **state)
             depth[j] = (T)ref_log_between(0.1, 10);
             for (k = 0; k < 3; k++) {
                 dirs[3 * j + (size_t)k] = (T)u[k];
-                normals[3 * j + (size_t)k] = (T)n[k];
+                normals[3 * j + (size_t)k] = (T)(n[k] * length);
                 p[k] = ref_sub(ref_const((long double)depth[j] * dirs[3 * j + (size_t)k]), ref_var(0, k));
                 dot = ref_add(dot, ref_scale(normals[3 * j + (size_t)k], p[k]));
                 r2 = ref_add(r2, ref_mul(p[k], p[k]));
