@@ -204,8 +204,8 @@ SHI_KERNEL void SHI_KN(shi_axis)(int scheme, int taps, SHI_T h, const SHI_T *tp,
 typedef struct { SHI_V q[3][4], d[3][4], s[3][4], e[3][4]; } SHI_KN(shi_axes);
 
 /* A node's weights, for the planes its scheme reads; returns where the next node's go. */
-SHI_KERNEL SHI_T *SHI_KN(shi_node)(const SHI_KN(shi_axes) *v, int planes, const int *taps, int x, int y, int z,
-                                   SHI_T *w)
+SHI_KERNEL SHI_T *SHI_KN(shi_node_weights)(const SHI_KN(shi_axes) *v, int planes, const int *taps,
+                                           int x, int y, int z, SHI_T *w)
 {
     const SHI_V qx = v->q[0][x], qy = v->q[1][y], qz = v->q[2][z], qq = qy * qz;
     const SHI_V sx = v->s[0][x], sy = v->s[1][y], sz = v->s[2][z];
@@ -250,10 +250,10 @@ SHI_INLINE void SHI_KN(shi_weights)(const shi_stencil *s, int along, const SHI_T
         SHI_T *o = w + lane;
         SHI_KN(shi_three)(s->scheme, two, along, h, t + lane, rate + lane, half + lane, &v);
         SHI_UNROLL for (z = 0; z < 2; z++) {
-            o = SHI_KN(shi_node)(&v, 4, two, 0, 0, z, o);
-            o = SHI_KN(shi_node)(&v, 4, two, 1, 0, z, o);
-            o = SHI_KN(shi_node)(&v, 4, two, 0, 1, z, o);
-            o = SHI_KN(shi_node)(&v, 4, two, 1, 1, z, o);
+            o = SHI_KN(shi_node_weights)(&v, 4, two, 0, 0, z, o);
+            o = SHI_KN(shi_node_weights)(&v, 4, two, 1, 0, z, o);
+            o = SHI_KN(shi_node_weights)(&v, 4, two, 0, 1, z, o);
+            o = SHI_KN(shi_node_weights)(&v, 4, two, 1, 1, z, o);
         }
     }
     for (; lane + SHI_W <= SH_BLOCK; lane += SHI_W) {
@@ -262,7 +262,7 @@ SHI_INLINE void SHI_KN(shi_weights)(const shi_stencil *s, int along, const SHI_T
         SHI_KN(shi_three)(s->scheme, taps, along, h, t + lane, rate + lane, half + lane, &v);
         for (z = 0; z < taps[2]; z++)
             for (y = 0; y < taps[1]; y++)
-                for (x = 0; x < taps[0]; x++) o = SHI_KN(shi_node)(&v, planes, taps, x, y, z, o);
+                for (x = 0; x < taps[0]; x++) o = SHI_KN(shi_node_weights)(&v, planes, taps, x, y, z, o);
         for (; o < w + s->terms * SH_BLOCK; o += SH_BLOCK) SHI_STORE(o, SHI_SPLAT(SHI_C(0)));
     }
 }
@@ -611,8 +611,8 @@ SH_API int SHI_FN(sh_grid_dot)(int bands, int planes, int channels, const SHI_FN
 
 /* ---- scattered samples ---- */
 
-/* x^power for 0 <= x <= 1 */
-SHI_INLINE SHI_T SHI_FN(shi_power)(SHI_T x, SHI_T power)
+/* x^power for 0 <= x <= 1, a distance over a longer one */
+SHI_INLINE SHI_T SHI_FN(shi_falloff)(SHI_T x, SHI_T power)
 {
     return power == 2 ? x * x : (SHI_T)pow((double)x, (double)power);
 }
@@ -675,15 +675,15 @@ SHI_NOINLINE int SHI_FN(shi_samples)(int bands, int planes, int channels, SHI_T 
         if (r < 0) return SH_ERROR_NOT_FINITE;
         /* weights relative to the nearest sample's: 1 for it, at most 1 for the others, whatever the distances */
         if (j == 0 || r < nearest) {
-            total = j && r > 0 ? total * SHI_FN(shi_power)(r / nearest, power) : 0;
+            total = j && r > 0 ? total * SHI_FN(shi_falloff)(r / nearest, power) : 0;
             nearest = r;
         }
-        total += r > nearest ? SHI_FN(shi_power)(nearest / r, power) : 1;
+        total += r > nearest ? SHI_FN(shi_falloff)(nearest / r, power) : 1;
     }
     for (done = 0; done < count; done = j) {
         for (j = done, k = 0; j < count && k + (size_t)planes <= SHI_TERMS; j++) {
             const SHI_T r = SHI_FN(shi_difference)(point, samples + 3 * j, d);
-            const SHI_T weight = (r > nearest ? SHI_FN(shi_power)(nearest / r, power) : 1) / total;
+            const SHI_T weight = (r > nearest ? SHI_FN(shi_falloff)(nearest / r, power) : 1) / total;
             const ptrdiff_t at = (ptrdiff_t)((j - done) * block);
             k = SHI_FN(shi_taylor_terms)(k, planes, (ptrdiff_t)n, d, weight, at, offset, w);
         }

@@ -97,7 +97,7 @@ SHI_INLINE int shi_euler(const double m[9], double tolerance, double cs[6])
 }
 
 /* sqrt((2l+1)/4pi) times the integral of z^s P_l over [0,1] */
-SHI_INLINE void shi_power(int bands, double s, double *zh)
+SHI_INLINE void shi_zonal_power(int bands, double s, double *zh)
 {
     int l;
     for (l = 0; l < bands; l++)
@@ -152,10 +152,25 @@ SHI_INLINE int shi_parity(int axis, int l, int m)
 
 /* ---- other systems' conventions: docs/conventions.md is this table for people ---- */
 
-enum { SHI_ACN, SHI_FUMA, SHI_COMPLEX, SHI_HALF_COMPLEX, SHI_TRIANGLES,
-       SHI_SQUARES, SHI_PACKED, SHI_MONOMIALS };
-enum { SHI_RADIANCE, SHI_PER_PI, SHI_IRRADIANCE, SHI_FOLDED, SHI_FOUR_PI, SHI_N3D,
-       SHI_SN3D, SHI_MAX_N, SHI_HALVES, SHI_DOUBLES };
+enum {                                  /* where a coefficient stands */
+    SHI_ORDER_ACN,                      /* l(l+1) + m, as here */
+    SHI_ORDER_FUMA,                     /* W XYZ RSTUV KLMNOPQ */
+    SHI_ORDER_COMPLEX,                  /* l(l+1) + m, real and imaginary parts of all m */
+    SHI_ORDER_HALF_COMPLEX,             /* ... of m >= 0, m by m */
+    SHI_ORDER_TRIANGLES,                /* l(l+1)/2 + m: cosines, then sines */
+    SHI_ORDER_SQUARES,                  /* [2][bands][bands]: cosines, then sines */
+    SHI_ORDER_PACKED,                   /* a shader's SHA xyzw, SHB xyzw, SHC */
+    SHI_ORDER_MONOMIALS                 /* x y z xx yy zz yz zx xy */
+};
+enum {                                  /* theirs over ours, sign apart; ours are radiance on an orthonormal basis */
+    SHI_SCALE_RADIANCE,                 /* 1 */
+    SHI_SCALE_PER_PI,                   /* 1/pi */
+    SHI_SCALE_IRRADIANCE,               /* the clamped cosine: pi, 2 pi/3, pi/4 */
+    SHI_SCALE_FOLDED,                   /* that over pi, times the basis function's constant */
+    SHI_SCALE_FOUR_PI,                  /* 1/sqrt(4 pi): factors of basis functions of mean square 1 */
+    SHI_SCALE_N3D, SHI_SCALE_SN3D, SHI_SCALE_MAX_N,     /* ambisonics' three */
+    SHI_SCALE_HALVES, SHI_SCALE_DOUBLES                 /* 1/sqrt 2, sqrt 2, where m != 0 */
+};
 
 typedef struct {
     const char *name;
@@ -168,50 +183,51 @@ typedef struct {
 SHI_INLINE const shi_convention *shi_find_convention(int id)
 {
     static const shi_convention list[] = {
-        { "sloan",              SHI_ACN,          SHI_RADIANCE,   1, 2, 32 },
-        { "no-phase",           SHI_ACN,          SHI_RADIANCE,   0, 2, 32 },
-        { "directxmath",        SHI_ACN,          SHI_RADIANCE,   1, 2,  6 },
-        { "d3dx",               SHI_ACN,          SHI_RADIANCE,   1, 2,  6 },
-        { "m22",                SHI_ACN,          SHI_RADIANCE,   1, 2, 32 },
-        { "wr18",               SHI_ACN,          SHI_RADIANCE,   1, 2, 32 },
-        { "pbrt",               SHI_ACN,          SHI_RADIANCE,   1, 2, 29 },
-        { "google",             SHI_ACN,          SHI_RADIANCE,   1, 2, 32 },
-        { "tiny-cuda-nn",       SHI_ACN,          SHI_RADIANCE,   1, 2,  8 },
-        { "3dgs",               SHI_ACN,          SHI_RADIANCE,   1, 2,  4 },
-        { "unreal",             SHI_ACN,          SHI_RADIANCE,   1, 2,  3 },
-        { "babylon",            SHI_ACN,          SHI_RADIANCE,   1, 2,  3 },
-        { "babylon-polynomial", SHI_MONOMIALS,    SHI_FOLDED,     0, 2,  3 },
-        { "gltf",               SHI_ACN,          SHI_IRRADIANCE, 1, 2,  3 },
-        { "three",              SHI_ACN,          SHI_RADIANCE,   0, 2,  3 },
-        { "godot",              SHI_ACN,          SHI_PER_PI,     0, 2,  3 },
-        { "unity",              SHI_ACN,          SHI_FOLDED,     0, 2,  3 },
-        { "unity-packed",       SHI_PACKED,       SHI_FOLDED,     0, 2,  3 },
-        { "filament",           SHI_ACN,          SHI_FOLDED,     0, 2,  3 },
-        { "sh-lib",             SHI_ACN,          SHI_RADIANCE,   0, 2, 32 },
-        { "falcor",             SHI_ACN,          SHI_RADIANCE,   0, 2,  4 },
-        { "sphericart",         SHI_ACN,          SHI_RADIANCE,   0, 2, 32 },
-        { "e3nn",               SHI_ACN,          SHI_RADIANCE,   0, 1, 12 },
-        { "scipy",              SHI_COMPLEX,      SHI_HALVES,     1, 2, 32 },
-        { "mpmath",             SHI_COMPLEX,      SHI_HALVES,     1, 2, 32 },
-        { "sympy",              SHI_COMPLEX,      SHI_HALVES,     1, 2, 32 },
-        { "boost",              SHI_COMPLEX,      SHI_HALVES,     1, 2, 32 },
-        { "healpy",             SHI_HALF_COMPLEX, SHI_HALVES,     1, 2, 32 },
-        { "gsl",                SHI_TRIANGLES,    SHI_DOUBLES,    0, 2, 32 },
-        { "shtools",            SHI_SQUARES,      SHI_FOUR_PI,    0, 2, 32 },
-        { "n3d",                SHI_ACN,          SHI_N3D,        0, 2, 32 },
-        { "sn3d",               SHI_ACN,          SHI_SN3D,       0, 2, 32 },
-        { "fuma",               SHI_FUMA,         SHI_MAX_N,      0, 2,  4 }
+        { "sloan",              SHI_ORDER_ACN,          SHI_SCALE_RADIANCE,   1, 2, 32 },
+        { "no-phase",           SHI_ORDER_ACN,          SHI_SCALE_RADIANCE,   0, 2, 32 },
+        { "directxmath",        SHI_ORDER_ACN,          SHI_SCALE_RADIANCE,   1, 2,  6 },
+        { "d3dx",               SHI_ORDER_ACN,          SHI_SCALE_RADIANCE,   1, 2,  6 },
+        { "m22",                SHI_ORDER_ACN,          SHI_SCALE_RADIANCE,   1, 2, 32 },
+        { "wr18",               SHI_ORDER_ACN,          SHI_SCALE_RADIANCE,   1, 2, 32 },
+        { "pbrt",               SHI_ORDER_ACN,          SHI_SCALE_RADIANCE,   1, 2, 29 },
+        { "google",             SHI_ORDER_ACN,          SHI_SCALE_RADIANCE,   1, 2, 32 },
+        { "tiny-cuda-nn",       SHI_ORDER_ACN,          SHI_SCALE_RADIANCE,   1, 2,  8 },
+        { "3dgs",               SHI_ORDER_ACN,          SHI_SCALE_RADIANCE,   1, 2,  4 },
+        { "unreal",             SHI_ORDER_ACN,          SHI_SCALE_RADIANCE,   1, 2,  3 },
+        { "babylon",            SHI_ORDER_ACN,          SHI_SCALE_RADIANCE,   1, 2,  3 },
+        { "babylon-polynomial", SHI_ORDER_MONOMIALS,    SHI_SCALE_FOLDED,     0, 2,  3 },
+        { "gltf",               SHI_ORDER_ACN,          SHI_SCALE_IRRADIANCE, 1, 2,  3 },
+        { "three",              SHI_ORDER_ACN,          SHI_SCALE_RADIANCE,   0, 2,  3 },
+        { "godot",              SHI_ORDER_ACN,          SHI_SCALE_PER_PI,     0, 2,  3 },
+        { "unity",              SHI_ORDER_ACN,          SHI_SCALE_FOLDED,     0, 2,  3 },
+        { "unity-packed",       SHI_ORDER_PACKED,       SHI_SCALE_FOLDED,     0, 2,  3 },
+        { "filament",           SHI_ORDER_ACN,          SHI_SCALE_FOLDED,     0, 2,  3 },
+        { "sh-lib",             SHI_ORDER_ACN,          SHI_SCALE_RADIANCE,   0, 2, 32 },
+        { "falcor",             SHI_ORDER_ACN,          SHI_SCALE_RADIANCE,   0, 2,  4 },
+        { "sphericart",         SHI_ORDER_ACN,          SHI_SCALE_RADIANCE,   0, 2, 32 },
+        { "e3nn",               SHI_ORDER_ACN,          SHI_SCALE_RADIANCE,   0, 1, 12 },
+        { "scipy",              SHI_ORDER_COMPLEX,      SHI_SCALE_HALVES,     1, 2, 32 },
+        { "mpmath",             SHI_ORDER_COMPLEX,      SHI_SCALE_HALVES,     1, 2, 32 },
+        { "sympy",              SHI_ORDER_COMPLEX,      SHI_SCALE_HALVES,     1, 2, 32 },
+        { "boost",              SHI_ORDER_COMPLEX,      SHI_SCALE_HALVES,     1, 2, 32 },
+        { "healpy",             SHI_ORDER_HALF_COMPLEX, SHI_SCALE_HALVES,     1, 2, 32 },
+        { "gsl",                SHI_ORDER_TRIANGLES,    SHI_SCALE_DOUBLES,    0, 2, 32 },
+        { "shtools",            SHI_ORDER_SQUARES,      SHI_SCALE_FOUR_PI,    0, 2, 32 },
+        { "n3d",                SHI_ORDER_ACN,          SHI_SCALE_N3D,        0, 2, 32 },
+        { "sn3d",               SHI_ORDER_ACN,          SHI_SCALE_SN3D,       0, 2, 32 },
+        { "fuma",               SHI_ORDER_FUMA,         SHI_SCALE_MAX_N,      0, 2,  4 }
     };
     return id >= 0 && id < (int)(sizeof list / sizeof list[0]) ? list + id : NULL;
 }
 
-/* Number of a convention by its name, or SH_ERROR_OPTION; name of a number, or NULL past the last. */
+/* Name of a convention's number, counted from 0; NULL past the last, and for negative ones. */
 SH_API const char *sh_convention_name(int convention)
 {
     const shi_convention *c = shi_find_convention(convention);
     return c ? c->name : NULL;
 }
 
+/* Number of a convention by its name in docs/conventions.md, 0 or more; SH_ERROR_OPTION for an unknown one. */
 SH_API int sh_convention(const char *name)
 {
     const char *known;
@@ -222,21 +238,22 @@ SH_API int sh_convention(const char *name)
     return SH_ERROR_OPTION;
 }
 
-/* How many numbers one vector has there, or a negative status: SH_ERROR_BANDS beyond what the system has. */
+/* How many numbers one vector of that many bands has there (a complex one counts as two), or a negative status:
+ * SH_ERROR_BANDS beyond what the system has, SH_ERROR_OPTION for an unknown one. */
 SH_API int sh_convention_size(int convention, int bands)
 {
     const shi_convention *c = shi_find_convention(convention);
     if (!c) return SH_ERROR_OPTION;
     if (bands < 1 || bands > c->most) return SH_ERROR_BANDS;
     switch (c->order) {
-    case SHI_COMPLEX: case SHI_SQUARES: return 2 * bands * bands;
-    case SHI_HALF_COMPLEX: case SHI_TRIANGLES: return bands * (bands + 1);
-    case SHI_PACKED: case SHI_MONOMIALS: return bands == 3 ? 9 : SH_ERROR_BANDS;
+    case SHI_ORDER_COMPLEX:      case SHI_ORDER_SQUARES:   return 2 * bands * bands;
+    case SHI_ORDER_HALF_COMPLEX: case SHI_ORDER_TRIANGLES: return bands * (bands + 1);
+    case SHI_ORDER_PACKED:       case SHI_ORDER_MONOMIALS: return bands == 3 ? 9 : SH_ERROR_BANDS;
     default: return bands * bands;
     }
 }
 
-/* theirs = factor * ours, for systems in which a coefficient stays one number */
+/* theirs = factor * ours; of the forms that mix coefficients, of what is mixed */
 SHI_INLINE double shi_convention_factor(const shi_convention *c, int l, int m)
 {
     static const double cosine[3] = { 1, 2.0 / 3, 0.25 };       /* irradiance / pi over radiance */
@@ -250,15 +267,15 @@ SHI_INLINE double shi_convention_factor(const shi_convention *c, int l, int m)
     double f = !c->phase && (m & 1) ? -1 : 1;
 
     switch (c->scale) {
-    case SHI_PER_PI:     f *= 0.3183098861837907; break;
-    case SHI_IRRADIANCE: f *= SHI_PI * cosine[l]; break;
-    case SHI_FOLDED:     f *= cosine[l] * basis[l * (l + 1) + m]; break;
-    case SHI_FOUR_PI:    f *= SHI_Y00; break;
-    case SHI_N3D:        f *= SHI_ROOT_FOUR_PI; break;
-    case SHI_SN3D:       f *= SHI_ROOT_FOUR_PI / sqrt(2 * l + 1.0); break;
-    case SHI_MAX_N:      f *= SHI_ROOT_FOUR_PI / sqrt(2 * l + 1.0) * peak[l][am]; break;
-    case SHI_HALVES:     if (m) f *= 0.7071067811865476; break;
-    case SHI_DOUBLES:    if (m) f *= 1.4142135623730951; break;
+    case SHI_SCALE_PER_PI:     f *= 0.3183098861837907; break;
+    case SHI_SCALE_IRRADIANCE: f *= SHI_PI * cosine[l]; break;
+    case SHI_SCALE_FOLDED:     f *= cosine[l] * basis[l * (l + 1) + m]; break;
+    case SHI_SCALE_FOUR_PI:    f *= SHI_Y00; break;
+    case SHI_SCALE_N3D:        f *= SHI_ROOT_FOUR_PI; break;
+    case SHI_SCALE_SN3D:       f *= SHI_ROOT_FOUR_PI / sqrt(2 * l + 1.0); break;
+    case SHI_SCALE_MAX_N:      f *= SHI_ROOT_FOUR_PI / sqrt(2 * l + 1.0) * peak[l][am]; break;
+    case SHI_SCALE_HALVES:     if (m) f *= 0.7071067811865476; break;
+    case SHI_SCALE_DOUBLES:    if (m) f *= 1.4142135623730951; break;
     default: break;
     }
     return f;
@@ -270,12 +287,12 @@ SHI_INLINE int shi_convention_place(const shi_convention *c, int bands, int l, i
     static const signed char fuma[16] = { 0, 2, 3, 1, 8, 6, 4, 5, 7, 15, 13, 11, 9, 10, 12, 14 };
     const int am = m < 0 ? -m : m;
     switch (c->order) {
-    case SHI_FUMA:         return fuma[l * (l + 1) + m];
-    case SHI_COMPLEX:      return 2 * (l * (l + 1) + m);
-    case SHI_HALF_COMPLEX: return 2 * (am * bands - am * (am - 1) / 2 + l - am) + (m < 0);
-    case SHI_TRIANGLES:    return (m < 0 ? bands * (bands + 1) / 2 : 0) + l * (l + 1) / 2 + am;
-    case SHI_SQUARES:      return (m < 0 ? bands * bands : 0) + l * bands + am;
-    default:               return l * (l + 1) + m;
+    case SHI_ORDER_FUMA:         return fuma[l * (l + 1) + m];
+    case SHI_ORDER_COMPLEX:      return 2 * (l * (l + 1) + m);
+    case SHI_ORDER_HALF_COMPLEX: return 2 * (am * bands - am * (am - 1) / 2 + l - am) + (m < 0);
+    case SHI_ORDER_TRIANGLES:    return (m < 0 ? bands * (bands + 1) / 2 : 0) + l * (l + 1) / 2 + am;
+    case SHI_ORDER_SQUARES:      return (m < 0 ? bands * bands : 0) + l * bands + am;
+    default:                     return l * (l + 1) + m;
     }
 }
 
@@ -1752,7 +1769,7 @@ SH_API int SHI_FN(sh_zonal_cosine)(int bands, SHI_T *zh)
     int l;
     if (!zh) return SH_ERROR_NULL;
     if (bands < 1 || bands > SH_MAX_BANDS) return SH_ERROR_BANDS;
-    shi_power(bands, 1, z);
+    shi_zonal_power(bands, 1, z);
     for (l = 0; l < bands; l++) zh[l] = (SHI_T)(SHI_TAU * z[l]);
     return SH_OK;
 }
@@ -1765,7 +1782,7 @@ SH_API int SHI_FN(sh_zonal_phong)(int bands, SHI_T s, SHI_T *zh)
     if (!zh) return SH_ERROR_NULL;
     if (bands < 1 || bands > SH_MAX_BANDS) return SH_ERROR_BANDS;
     if (!SHI_FN(shi_finite)(&s, 1) || !(s >= 0)) return SH_ERROR_OPTION;
-    shi_power(bands, (double)s, z);
+    shi_zonal_power(bands, (double)s, z);
     for (l = 0; l < bands; l++) zh[l] = (SHI_T)(((double)s + 1) * z[l]);
     return SH_OK;
 }
@@ -1886,22 +1903,22 @@ SH_API int SHI_FN(sh_convert_to)(int convention, int bands, const SHI_T *ours, S
     for (l = 0; l < bands; l++)
         for (m = -l; m <= l; m++) {
             const SHI_T v = (SHI_T)(shi_convention_factor(c, l, m) * (double)ours[l * (l + 1) + m]);
-            if (c->order == SHI_COMPLEX) {      /* a_m = (c_m - i c_-m)/sqrt 2, a_-m = (-1)^m its conjugate */
+            if (c->order == SHI_ORDER_COMPLEX) {      /* a_m = (c_m - i c_-m)/sqrt 2, a_-m = (-1)^m its conjugate */
                 const int i = 2 * (l * (l + 1) + (m < 0 ? -m : m)), j = 2 * (l * (l + 1) - (m < 0 ? -m : m));
                 const SHI_T flipped = m & 1 ? -v : v;
                 if (m >= 0) { theirs[j] = flipped; theirs[i] = v; }
                 else { theirs[i + 1] = -v; theirs[j + 1] = flipped; }
             } else {
-                const int conjugate = c->order == SHI_HALF_COMPLEX && m < 0;
+                const int conjugate = c->order == SHI_ORDER_HALF_COMPLEX && m < 0;
                 theirs[shi_convention_place(c, bands, l, m)] = conjugate ? -v : v;
             }
         }
-    if (c->order == SHI_PACKED) {               /* SHA xyzw, SHB xyzw, SHC */
+    if (c->order == SHI_ORDER_PACKED) {               /* SHA xyzw, SHB xyzw, SHC */
         SHI_T t[9];
         memcpy(t, theirs, sizeof t);
         theirs[0] = t[3]; theirs[1] = t[1]; theirs[2] = t[2]; theirs[3] = t[0] - t[6];
         theirs[4] = t[4]; theirs[5] = t[5]; theirs[6] = 3 * t[6]; theirs[7] = t[7]; theirs[8] = t[8];
-    } else if (c->order == SHI_MONOMIALS) {     /* x y z xx yy zz yz zx xy */
+    } else if (c->order == SHI_ORDER_MONOMIALS) {     /* x y z xx yy zz yz zx xy */
         SHI_T t[9];
         memcpy(t, theirs, sizeof t);
         theirs[0] = t[3]; theirs[1] = t[1]; theirs[2] = t[2];
@@ -1923,11 +1940,11 @@ SH_API int SHI_FN(sh_convert_from)(int convention, int bands, const SHI_T *their
     if (size < 0) return size;
     if (shi_overlap(ours, (size_t)(bands * bands) * sizeof *ours, theirs, (size_t)size * sizeof *theirs))
         return SH_ERROR_OVERLAP;
-    if (c->order == SHI_PACKED) {
+    if (c->order == SHI_ORDER_PACKED) {
         t[3] = theirs[0]; t[1] = theirs[1]; t[2] = theirs[2]; t[6] = theirs[6] / 3; t[0] = theirs[3] + t[6];
         t[4] = theirs[4]; t[5] = theirs[5]; t[7] = theirs[7]; t[8] = theirs[8];
         theirs = t;
-    } else if (c->order == SHI_MONOMIALS) {
+    } else if (c->order == SHI_ORDER_MONOMIALS) {
         t[3] = theirs[0]; t[1] = theirs[1]; t[2] = theirs[2];
         t[0] = (theirs[3] + theirs[4] + theirs[5]) / 3; t[8] = (theirs[3] - theirs[4]) / 2;
         t[6] = (2 * theirs[5] - theirs[3] - theirs[4]) / 6;
@@ -1936,8 +1953,8 @@ SH_API int SHI_FN(sh_convert_from)(int convention, int bands, const SHI_T *their
     }
     for (l = 0; l < bands; l++)
         for (m = -l; m <= l; m++) {
-            const int imaginary = m < 0 && (c->order == SHI_COMPLEX || c->order == SHI_HALF_COMPLEX);
-            SHI_T v = theirs[c->order == SHI_COMPLEX && m < 0 ? 2 * (l * (l + 1) - m) + 1
+            const int imaginary = m < 0 && (c->order == SHI_ORDER_COMPLEX || c->order == SHI_ORDER_HALF_COMPLEX);
+            SHI_T v = theirs[c->order == SHI_ORDER_COMPLEX && m < 0 ? 2 * (l * (l + 1) - m) + 1
                                                               : shi_convention_place(c, bands, l, m)];
             if (imaginary) v = -v;
             ours[l * (l + 1) + m] = (SHI_T)((double)v / shi_convention_factor(c, l, m));
