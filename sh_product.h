@@ -53,6 +53,17 @@ enum { SH_PRODUCT_BANDS = 16 };         /* most bands of rotations and products 
 enum { SH_HANN = 1, SH_LANCZOS = 2, SH_GAUSS = 3 };
 enum { SHI_KEPT = 1024, SHI_CHUNK = 64 };              /* samples that sh_minimum keeps, and takes at once */
 
+/* Cases of a switch over n that call body(n, ...) with n a constant: its loops unroll, and what hangs on n is decided. */
+#define SHI_FIXED(n, body, ...) case n: body(n, __VA_ARGS__); break;
+#define SHI_FIXED_1_TO_8(body, ...) \
+    SHI_FIXED(1, body, __VA_ARGS__) SHI_FIXED(2, body, __VA_ARGS__) SHI_FIXED(3, body, __VA_ARGS__) \
+    SHI_FIXED(4, body, __VA_ARGS__) SHI_FIXED(5, body, __VA_ARGS__) SHI_FIXED(6, body, __VA_ARGS__) \
+    SHI_FIXED(7, body, __VA_ARGS__) SHI_FIXED(8, body, __VA_ARGS__)
+#define SHI_FIXED_9_TO_16(body, ...) \
+    SHI_FIXED(9, body, __VA_ARGS__) SHI_FIXED(10, body, __VA_ARGS__) SHI_FIXED(11, body, __VA_ARGS__) \
+    SHI_FIXED(12, body, __VA_ARGS__) SHI_FIXED(13, body, __VA_ARGS__) SHI_FIXED(14, body, __VA_ARGS__) \
+    SHI_FIXED(15, body, __VA_ARGS__) SHI_FIXED(16, body, __VA_ARGS__)
+
 /* Entries of band l in the table of swaps. */
 SHI_INLINE int shi_swap_size(int l)
 {
@@ -978,42 +989,32 @@ SHI_INLINE void SHI_KN(shi_prod_turn_back)(int l, SHI_V *d, const SHI_V *c, cons
     }
 }
 
-/* out[i] = sum_j k[i][j] in[j], n <= 8, rows of k a pitch apart, elements of in and out a step; all of in
- * is read first. One body per n: with the loops gone the branches are, too. */
-SHI_KERNEL void SHI_KN(shi_prod_square_of)(const int n, int pitch, const SHI_T *k, const SHI_V *in,
-                                           int in_step, SHI_V *out, int step)
+/* d = k d in place: n <= 8 elements of d a step apart. */
+SHI_KERNEL void SHI_KN(shi_prod_square_of)(const int n, const SHI_T *k, SHI_V *d, int step)
 {
     SHI_V v[SH_PRODUCT_BANDS / 2];
     int i, j;
 
     SHI_UNROLL
-    for (j = 0; j < n; j++) v[j] = in[j * in_step];
+    for (j = 0; j < n; j++) v[j] = d[j * step];
     SHI_UNROLL
     for (i = 0; i < n; i++) {
-        SHI_V a = k[i * pitch] * v[0];
+        SHI_V a = k[i * n] * v[0];
         SHI_UNROLL
-        for (j = 1; j < n; j++) a += k[i * pitch + j] * v[j];
-        out[i * step] = a;
+        for (j = 1; j < n; j++) a += k[i * n + j] * v[j];
+        d[i * step] = a;
     }
 }
 
-SHI_NOINLINE void SHI_KN(shi_prod_square)(int n, int pitch, const SHI_T *k, const SHI_V *in, int in_step,
-                                          SHI_V *out, int step)
+SHI_NOINLINE void SHI_KN(shi_prod_square)(int n, const SHI_T *k, SHI_V *d, int step)
 {
     switch (n) {
-    case 1: SHI_KN(shi_prod_square_of)(1, pitch, k, in, in_step, out, step); break;
-    case 2: SHI_KN(shi_prod_square_of)(2, pitch, k, in, in_step, out, step); break;
-    case 3: SHI_KN(shi_prod_square_of)(3, pitch, k, in, in_step, out, step); break;
-    case 4: SHI_KN(shi_prod_square_of)(4, pitch, k, in, in_step, out, step); break;
-    case 5: SHI_KN(shi_prod_square_of)(5, pitch, k, in, in_step, out, step); break;
-    case 6: SHI_KN(shi_prod_square_of)(6, pitch, k, in, in_step, out, step); break;
-    case 7: SHI_KN(shi_prod_square_of)(7, pitch, k, in, in_step, out, step); break;
-    case 8: SHI_KN(shi_prod_square_of)(8, pitch, k, in, in_step, out, step); break;
+        SHI_FIXED_1_TO_8(SHI_KN(shi_prod_square_of), k, d, step)
     default: break;
     }
 }
 
-/* p = k q and q = k^T p at once */
+/* p = k q and q = k^T p at once: n <= 8 elements each, of p upwards and of q downwards by 2 */
 SHI_KERNEL void SHI_KN(shi_prod_exchange_of)(const int n, const SHI_T *k, SHI_V *p, SHI_V *q)
 {
     SHI_V a[SH_PRODUCT_BANDS / 2], b[SH_PRODUCT_BANDS / 2];
@@ -1043,29 +1044,22 @@ SHI_NOINLINE void SHI_KN(shi_prod_swap)(int l, const SHI_T *k, SHI_V *d)
     SHI_V *p, *q;
 
     if (l % 2 == 0) {
-        SHI_KN(shi_prod_square)(half + 1, half + 1, k, d, 2, d, 2);
+        SHI_KN(shi_prod_square)(half + 1, k, d, 2);
         k += (half + 1) * (half + 1);
-        SHI_KN(shi_prod_square)(half, half, k, d - 1, -2, d - 1, -2);
+        SHI_KN(shi_prod_square)(half, k, d - 1, -2);
         k += half * half;
         p = d + 1;
         q = d - 2;
     } else {
-        SHI_KN(shi_prod_square)(half, half, k, d + 1, 2, d + 1, 2);
+        SHI_KN(shi_prod_square)(half, k, d + 1, 2);
         k += half * half;
-        SHI_KN(shi_prod_square)(half - 1, half - 1, k, d - 2, -2, d - 2, -2);
+        SHI_KN(shi_prod_square)(half - 1, k, d - 2, -2);
         k += (half - 1) * (half - 1);
         p = d;
         q = d - 1;
     }
     switch (half) {
-    case 1: SHI_KN(shi_prod_exchange_of)(1, k, p, q); break;
-    case 2: SHI_KN(shi_prod_exchange_of)(2, k, p, q); break;
-    case 3: SHI_KN(shi_prod_exchange_of)(3, k, p, q); break;
-    case 4: SHI_KN(shi_prod_exchange_of)(4, k, p, q); break;
-    case 5: SHI_KN(shi_prod_exchange_of)(5, k, p, q); break;
-    case 6: SHI_KN(shi_prod_exchange_of)(6, k, p, q); break;
-    case 7: SHI_KN(shi_prod_exchange_of)(7, k, p, q); break;
-    case 8: SHI_KN(shi_prod_exchange_of)(8, k, p, q); break;
+        SHI_FIXED_1_TO_8(SHI_KN(shi_prod_exchange_of), k, p, q)
     default: break;
     }
 }
@@ -1107,22 +1101,8 @@ SHI_KERNEL void SHI_KN(shi_prod_column_of)(const int s, int m, int sign, const S
 SHI_NOINLINE void SHI_KN(shi_prod_column)(int s, int m, int sign, const SHI_T *k, SHI_V *d)
 {
     switch (s) {
-    case 1: SHI_KN(shi_prod_column_of)(1, m, sign, k, d); break;
-    case 2: SHI_KN(shi_prod_column_of)(2, m, sign, k, d); break;
-    case 3: SHI_KN(shi_prod_column_of)(3, m, sign, k, d); break;
-    case 4: SHI_KN(shi_prod_column_of)(4, m, sign, k, d); break;
-    case 5: SHI_KN(shi_prod_column_of)(5, m, sign, k, d); break;
-    case 6: SHI_KN(shi_prod_column_of)(6, m, sign, k, d); break;
-    case 7: SHI_KN(shi_prod_column_of)(7, m, sign, k, d); break;
-    case 8: SHI_KN(shi_prod_column_of)(8, m, sign, k, d); break;
-    case 9: SHI_KN(shi_prod_column_of)(9, m, sign, k, d); break;
-    case 10: SHI_KN(shi_prod_column_of)(10, m, sign, k, d); break;
-    case 11: SHI_KN(shi_prod_column_of)(11, m, sign, k, d); break;
-    case 12: SHI_KN(shi_prod_column_of)(12, m, sign, k, d); break;
-    case 13: SHI_KN(shi_prod_column_of)(13, m, sign, k, d); break;
-    case 14: SHI_KN(shi_prod_column_of)(14, m, sign, k, d); break;
-    case 15: SHI_KN(shi_prod_column_of)(15, m, sign, k, d); break;
-    case 16: SHI_KN(shi_prod_column_of)(16, m, sign, k, d); break;
+        SHI_FIXED_1_TO_8(SHI_KN(shi_prod_column_of), m, sign, k, d)
+        SHI_FIXED_9_TO_16(SHI_KN(shi_prod_column_of), m, sign, k, d)
     default: break;
     }
 }
