@@ -22,7 +22,7 @@
  * DOES NOT    allocate, keep state, print. Arrays need no alignment. In and out may be the same
  *             array, or must not overlap (SH_ERROR_OVERLAP). NaN and Inf in coefficients go through; in
  *             geometry (and in sh_dering) they are an error. Stack, f64 (f32: half): triple product
- *             50 KB, sh_minimum and sh_dering 125 KB, the others 27 KB at most.
+ *             50 KB, sh_minimum and sh_dering 140 KB, the others 27 KB at most.
  *
  * ERROR       c = the input vector, |.| its 2-norm, worst over the output: rotation and cosine products
  *             16 eps |c| to 6 bands, 40 eps |c| to 16; triple product the same with |a| |b|. Worst seen is
@@ -51,7 +51,7 @@
 
 enum { SH_PRODUCT_BANDS = 16 };         /* most bands of rotations and products */
 enum { SH_HANN = 1, SH_LANCZOS = 2, SH_GAUSS = 3 };
-enum { SHI_KEPT = 1024, SHI_CHUNK = 64 };              /* samples that sh_minimum keeps, and takes at once */
+enum { SHI_KEPT = 1024, SHI_CHUNK = 64 };   /* samples that sh_minimum keeps, and takes at once */
 
 /* Cases of a switch over n that call body(n, ...) with n a constant: its loops unroll, and what hangs on n is decided. */
 #define SHI_FIXED(n, body, ...) case n: body(n, __VA_ARGS__); break;
@@ -152,6 +152,49 @@ SHI_INLINE double shi_window(int kind, double width, int l)
     if (kind == SH_GAUSS) return exp(-0.5 * x * x * (l + 1) / l);
     if (l >= width) return 0;
     return kind == SH_HANN ? 0.5 * (1 + cos(x)) : sin(x) / x;
+}
+
+/* Step downhill on the unit sphere from v, where a function has these Cartesian derivatives (hess xx xy xz yy yz zz):
+ * Newton's, with the eigenvalues of the tangent plane's Hessian made positive. It has no scale: a power of two takes the
+ * Hessian's out, so that its squares stay in range. */
+SHI_INLINE void shi_newton_step(const double v[3], const double grad[3], const double hess[6], double step[3])
+{
+    double e[2][3], h[2][2], form[2][3], len, mean, half, r;
+    int i, j, k, exponent;
+
+    /* axes of the tangent plane, the first one nearest to the coordinate axis that v is farthest from */
+    k = fabs(v[0]) < fabs(v[1]) ? (fabs(v[0]) < fabs(v[2]) ? 0 : 2) : fabs(v[1]) < fabs(v[2]) ? 1 : 2;
+    for (i = 0; i < 3; i++) e[0][i] = (i == k) - v[k] * v[i];
+    len = sqrt(e[0][0] * e[0][0] + e[0][1] * e[0][1] + e[0][2] * e[0][2]);
+    for (i = 0; i < 3; i++) e[0][i] /= len;
+    for (i = 0; i < 3; i++)
+        e[1][i] = v[(i + 1) % 3] * e[0][(i + 2) % 3] - v[(i + 2) % 3] * e[0][(i + 1) % 3];
+    for (j = 0; j < 2; j++) {
+        form[j][0] = hess[0] * e[j][0] + hess[1] * e[j][1] + hess[2] * e[j][2];
+        form[j][1] = hess[1] * e[j][0] + hess[3] * e[j][1] + hess[4] * e[j][2];
+        form[j][2] = hess[2] * e[j][0] + hess[4] * e[j][1] + hess[5] * e[j][2];
+    }
+    for (j = 0; j < 2; j++)
+        for (k = 0; k < 2; k++) h[j][k] = e[j][0] * form[k][0] + e[j][1] * form[k][1] + e[j][2] * form[k][2];
+    (void)frexp(fabs(h[0][0]) + fabs(h[0][1]) + fabs(h[1][1]), &exponent);
+    for (j = 0; j < 2; j++)
+        for (k = 0; k < 2; k++) h[j][k] = ldexp(h[j][k], -exponent);
+
+    mean = 0.5 * (h[0][0] + h[1][1]);                       /* the eigenvalues are mean + r and mean - r */
+    half = 0.5 * (h[0][0] - h[1][1]);
+    r = sqrt(half * half + h[0][1] * h[0][1]);
+    step[0] = step[1] = step[2] = 0;
+    for (k = 0; k < 2; k++) {
+        const double t = r > 0 ? half / r : 1;              /* cosine of twice the first eigenvector's angle in the plane */
+        const double c = sqrt(0.5 * (1 + t)), s = (h[0][1] < 0 ? -1 : 1) * sqrt(0.5 * (1 - t));
+        const double x = k ? -s : c, y = k ? c : s;
+        const double value = fabs(k ? mean - r : mean + r), least = 1e-6 * (fabs(mean) + r);
+        double slope = 0;
+        if (!(value > 0)) continue;
+        for (i = 0; i < 3; i++) slope += grad[i] * (x * e[0][i] + y * e[1][i]);
+        slope = ldexp(slope, -exponent);
+        for (i = 0; i < 3; i++) step[i] -= slope / (value > least ? value : least) * (x * e[0][i] + y * e[1][i]);
+    }
 }
 
 /* Even (1) or odd (-1) under the mirror of axis 0, 1, 2. */
@@ -1973,70 +2016,53 @@ SH_API int SHI_FN(sh_convert_direction_from)(int convention, const SHI_T theirs[
 
 /* ---- ringing ------------------------------------------------------------------------------------------- */
 
-/* Window factors[l] of a width in bands, for sh_scale_bands. SH_HANN, SH_LANCZOS (zero from the width on),
- * SH_GAUSS (the heat kernel of the sphere: the only one of the three that never makes a minimum lower).
- * Another kind, or a width that is not positive, is SH_ERROR_OPTION. Bands to 32. Source: S08. */
-SH_API int SHI_FN(sh_window)(int kind, int bands, SHI_T width, SHI_T *factors)
+SHI_INLINE void SHI_FN(shi_window_factors)(int kind, int bands, double width, SHI_T *factors)
 {
     int l;
+    for (l = 0; l < bands; l++) factors[l] = (SHI_T)shi_window(kind, width, l);
+}
+
+/* Factors of a window, for sh_scale_bands. SH_HANN, SH_LANCZOS (zero from the width on), SH_GAUSS (the heat kernel of the
+ * sphere: the only one of the three that never makes a minimum lower).
+ *
+ *   width     in bands, positive; it or the kind otherwise: SH_ERROR_OPTION
+ *   factors   [bands]; factors[0] is 1. Bands to 32
+ *
+ * Error:  2 eps.
+ * Source: S08. */
+SH_API int SHI_FN(sh_window)(int kind, int bands, SHI_T width, SHI_T *factors)
+{
     if (!factors) return SH_ERROR_NULL;
     if (bands < 1 || bands > SH_MAX_BANDS) return SH_ERROR_BANDS;
-    if (kind < SH_HANN || kind > SH_GAUSS
-        || !SHI_FN(shi_finite)(&width, 1) || !(width > 0)) return SH_ERROR_OPTION;
-    for (l = 0; l < bands; l++) factors[l] = (SHI_T)shi_window(kind, (double)width, l);
+    if (kind < SH_HANN || kind > SH_GAUSS || !SHI_FN(shi_finite)(&width, 1) || !(width > 0)) return SH_ERROR_OPTION;
+    SHI_FN(shi_window_factors)(kind, bands, (double)width, factors);
     return SH_OK;
 }
 
-/* From u downhill to a local minimum, by Newton's method with the Hessian's eigenvalues made positive, and halved steps. */
+/* From u downhill to a local minimum, by Newton's method with halved steps; its value, and where in u. */
 SHI_INLINE SHI_T SHI_FN(shi_descend)(int bands, const SHI_T *c, SHI_T u[3])
 {
-    SHI_T y[SH_MAX_BANDS * SH_MAX_BANDS], g[3 * SH_MAX_BANDS * SH_MAX_BANDS];
-    SHI_T h[6 * SH_MAX_BANDS * SH_MAX_BANDS];
+    SHI_T y[10 * SH_MAX_BANDS * SH_MAX_BANDS];             /* the planes of SH_HESSIAN */
     const int n = bands * bands;
     double best = 0;
-    int turn, i, k, half, goes_on = 1;
+    int turn, i, k, halved, goes_on = 1;
 
     for (turn = 0; turn < 50 && goes_on; turn++) {
-        double f = 0, grad[3] = { 0, 0, 0 }, hess[6] = { 0, 0, 0, 0, 0, 0 };
-        double v[3], e[2][3], s[3] = { 0, 0, 0 }, a, b, d, mean, r, len, step;
+        double f[10] = { 0 }, v[3], s[3], step, part;
+
+        SHI_FN(sh_eval_hessian)(bands, u, y, y + n, y + 4 * n);
+        for (i = 0; i < n; i++)
+            for (k = 0; k < 10; k++) f[k] += (double)c[i] * (double)y[k * n + i];
+        best = f[0];
         for (k = 0; k < 3; k++) v[k] = (double)u[k];
-        SHI_FN(sh_eval_hessian)(bands, u, y, g, h);
-        for (i = 0; i < n; i++) {
-            f += (double)c[i] * (double)y[i];
-            for (k = 0; k < 3; k++) grad[k] += (double)c[i] * (double)g[k * n + i];
-            for (k = 0; k < 6; k++) hess[k] += (double)c[i] * (double)h[k * n + i];
-        }
-        best = f;
-        k = fabs(v[0]) < fabs(v[1]) ? (fabs(v[0]) < fabs(v[2]) ? 0 : 2) : fabs(v[1]) < fabs(v[2]) ? 1 : 2;
-        for (i = 0; i < 3; i++) e[0][i] = (i == k) - v[k] * v[i];
-        len = sqrt(e[0][0] * e[0][0] + e[0][1] * e[0][1] + e[0][2] * e[0][2]);
-        for (i = 0; i < 3; i++) e[0][i] /= len;
-        for (i = 0; i < 3; i++)
-            e[1][i] = v[(i + 1) % 3] * e[0][(i + 2) % 3] - v[(i + 2) % 3] * e[0][(i + 1) % 3];
-#define SHI_FORM(p, q) (p[0] * (hess[0] * q[0] + hess[1] * q[1] + hess[2] * q[2]) \
-                      + p[1] * (hess[1] * q[0] + hess[3] * q[1] + hess[4] * q[2]) \
-                      + p[2] * (hess[2] * q[0] + hess[4] * q[1] + hess[5] * q[2]))
-        a = SHI_FORM(e[0], e[0]);
-        b = SHI_FORM(e[0], e[1]);
-        d = SHI_FORM(e[1], e[1]);
-#undef SHI_FORM
-        mean = 0.5 * (a + d);
-        r = sqrt(0.25 * (a - d) * (a - d) + b * b);
-        for (k = 0; k < 2; k++) {                           /* along the eigenvector of mean + r, then of mean - r */
-            const double t = r > 0 ? 0.5 * (a - d) / r : 1;                         /* cosine of twice its angle */
-            const double co = sqrt(0.5 * (1 + t)), si = (b < 0 ? -1 : 1) * sqrt(0.5 * (1 - t)), x = k ? -si : co, z = k ? co : si;
-            const double value = fabs(k ? mean - r : mean + r), least = 1e-6 * (fabs(mean) + r);
-            double slope = 0;
-            for (i = 0; i < 3; i++) slope += grad[i] * (x * e[0][i] + z * e[1][i]);
-            for (i = 0; i < 3 && value > 0; i++) s[i] -= slope / (value > least ? value : least) * (x * e[0][i] + z * e[1][i]);
-        }
+        shi_newton_step(v, f + 1, f + 4, s);
         step = sqrt(s[0] * s[0] + s[1] * s[1] + s[2] * s[2]);
-        len = step > 0.5 / bands ? 0.5 / (bands * step) : 1;
+        part = step > 0.5 / bands ? 0.5 / (bands * step) : 1;
         goes_on = 0;
-        for (half = 0; half < 20 && len * step > 1e-8; half++, len *= 0.5) {
+        for (halved = 0; halved < 20 && part * step > 1e-8; halved++, part *= 0.5) {
             SHI_T w[3];
             double at[3], size, there = 0;
-            for (i = 0; i < 3; i++) at[i] = v[i] + len * s[i];
+            for (i = 0; i < 3; i++) at[i] = v[i] + part * s[i];
             size = sqrt(at[0] * at[0] + at[1] * at[1] + at[2] * at[2]);
             for (i = 0; i < 3; i++) w[i] = (SHI_T)(at[i] / size);
             SHI_FN(sh_eval)(bands, w, y);
@@ -2044,79 +2070,93 @@ SHI_INLINE SHI_T SHI_FN(shi_descend)(int bands, const SHI_T *c, SHI_T u[3])
             if (!(there < best)) continue;
             for (i = 0; i < 3; i++) u[i] = w[i];
             best = there;
-            goes_on = len * step > 1e-5;                    /* the next step would be about its square */
+            goes_on = part * step > 1e-5;                   /* the next step would be about its square */
             break;
         }
     }
     return (SHI_T)best;
 }
 
-/* Samples of the sum at 24 bands^2 + 64 points of a spiral, the latest SHI_KEPT of them. */
-typedef struct { SHI_T dirs[3 * SHI_KEPT], values[SHI_KEPT]; } SHI_FN(shi_samples_kept);
+/* The sum at the points of a spiral, number i of them at height 1 - (2i + 1)/points and golden angles apart; the latest
+ * SHI_KEPT of them are kept, number i at i % SHI_KEPT. */
+typedef struct {
+    int points, reach;              /* two within 1.6 spacings of each other are at most `reach` numbers apart */
+    SHI_T dirs[3 * SHI_KEPT], values[SHI_KEPT];
+} SHI_FN(shi_spiral);
 
-SHI_INLINE void SHI_FN(shi_sample)(int bands, const SHI_T *c, int points, int first, SHI_FN(shi_samples_kept) *s)
+/* Samples from number `first`, a multiple of SHI_CHUNK, on; returns the number after the last. */
+SHI_INLINE int SHI_FN(shi_spiral_chunk)(int bands, const SHI_T *c, int first, SHI_FN(shi_spiral) *s)
 {
-    const int at = first % SHI_KEPT, count = points - first < SHI_CHUNK ? points - first : SHI_CHUNK;
+    const int at = first % SHI_KEPT, count = s->points - first < SHI_CHUNK ? s->points - first : SHI_CHUNK;
     int i;
     for (i = 0; i < count; i++) {
-        const double z = 1 - (2 * (first + i) + 1.0) / points, r = sqrt(1 - z * z), f = 2.399963229728653 * (first + i);
+        const double z = 1 - (2 * (first + i) + 1.0) / s->points, r = sqrt(1 - z * z), f = 2.399963229728653 * (first + i);
         s->dirs[3 * (at + i)] = (SHI_T)(r * cos(f));
         s->dirs[3 * (at + i) + 1] = (SHI_T)(r * sin(f));
         s->dirs[3 * (at + i) + 2] = (SHI_T)z;
     }
     SHI_FN(sh_reconstruct_n)(bands, c, (size_t)count, s->dirs + 3 * at, s->values + at, NULL);
+    return first + count;
 }
 
-/* No sample within 1.6 spacings of number i is lower, nor an earlier one as low? Neighbours are at most `reach` numbers away. */
-SHI_INLINE int SHI_FN(shi_is_lowest)(const SHI_FN(shi_samples_kept) *s, int points, int reach, int i)
+/* Is no sample within 1.6 spacings of number i lower, and no earlier one as low? */
+SHI_INLINE int SHI_FN(shi_is_lowest)(const SHI_FN(shi_spiral) *s, int i)
 {
     const SHI_T *const d = s->dirs + 3 * (i % SHI_KEPT), value = s->values[i % SHI_KEPT];
-    const double apart = 1 - 16.0 / points;
+    const double apart = 1 - 16.0 / s->points;
     int j;
-    for (j = i > reach ? i - reach : 0; j <= i + reach && j < points; j++) {
+    for (j = i > s->reach ? i - s->reach : 0; j <= i + s->reach && j < s->points; j++) {
         const SHI_T *const e = s->dirs + 3 * (j % SHI_KEPT), other = s->values[j % SHI_KEPT];
         if ((other < value || (other <= value && j < i)) && (double)(d[0] * e[0] + d[1] * e[1] + d[2] * e[2]) > apart) return 0;
     }
     return 1;
 }
 
-/* the smallest value and where, or the first found below `enough` */
-SHI_INLINE SHI_T SHI_FN(shi_lowest)(int bands, const SHI_T *c, SHI_T enough, SHI_T where[3])
+/* The smallest value and where; or, if `negative` will do, the first one below zero that is found. */
+SHI_INLINE SHI_T SHI_FN(shi_lowest)(int bands, const SHI_T *c, int negative, SHI_T where[3])
 {
-    SHI_FN(shi_samples_kept) s;
-    const int points = 24 * bands * bands + 64, reach = (int)sqrt(8.0 * points) + 1;
-    SHI_T best = 0, lowest = 0, highest = 0;
-    int pass, first, i, k, next = 0;
-    for (pass = 0; pass < 2; pass++)
-        for (first = 0; first < points; first += SHI_CHUNK) {
-            const int end = first + SHI_CHUNK < points ? first + SHI_CHUNK : points;
-            SHI_FN(shi_sample)(bands, c, points, first, &s);
-            for (i = first; i < end && pass == 0; i++) {
-                const SHI_T value = s.values[i % SHI_KEPT];
-                if (i == 0 || value > highest) highest = value;
-                if (i == 0 || value < lowest) {
-                    best = lowest = value;
-                    for (k = 0; k < 3; k++) where[k] = s.dirs[3 * (i % SHI_KEPT) + k];
-                }
-                if (lowest < enough) return lowest;
+    SHI_FN(shi_spiral) s;
+    SHI_T best, lowest = 0, highest = 0;
+    int first, end, i, k, next = 0;
+
+    s.points = 24 * bands * bands + 64;
+    s.reach = (int)sqrt(8.0 * s.points) + 1;
+    for (first = 0; first < s.points; first = end) {
+        end = SHI_FN(shi_spiral_chunk)(bands, c, first, &s);
+        for (i = first; i < end; i++) {
+            const SHI_T value = s.values[i % SHI_KEPT];
+            if (i == 0 || value > highest) highest = value;
+            if (i == 0 || value < lowest) {
+                lowest = value;
+                for (k = 0; k < 3; k++) where[k] = s.dirs[3 * (i % SHI_KEPT) + k];
             }
-            for (; pass == 1 && next < points && (next + reach < end || end == points); next++) {
-                SHI_T u[3], value;
-                if (!(s.values[next % SHI_KEPT] <= lowest + SHI_C(0.1) * (highest - lowest))) continue;
-                if (!SHI_FN(shi_is_lowest)(&s, points, reach, next)) continue;
-                for (k = 0; k < 3; k++) u[k] = s.dirs[3 * (next % SHI_KEPT) + k];
-                value = SHI_FN(shi_descend)(bands, c, u);
-                if (value < best || best == lowest) {               /* the first one takes the place of the sample */
-                    best = value;
-                    for (k = 0; k < 3; k++) where[k] = u[k];
-                }
-                if (best < enough) return best;
-            }
+            if (negative && lowest < 0) return lowest;
         }
+    }
+    best = lowest;
+    for (first = 0; first < s.points; first = end) {
+        end = SHI_FN(shi_spiral_chunk)(bands, c, first, &s);
+        for (; next < s.points && (next + s.reach < end || end == s.points); next++) {     /* those with all neighbours kept */
+            SHI_T u[3], value;
+            if (!(s.values[next % SHI_KEPT] <= lowest + SHI_C(0.1) * (highest - lowest))) continue;
+            if (!SHI_FN(shi_is_lowest)(&s, next)) continue;
+            for (k = 0; k < 3; k++) u[k] = s.dirs[3 * (next % SHI_KEPT) + k];
+            value = SHI_FN(shi_descend)(bands, c, u);
+            if (value < best || best == lowest) {           /* the first one takes the place of the sample */
+                best = value;
+                for (k = 0; k < 3; k++) where[k] = u[k];
+            }
+            if (negative && best < 0) return best;
+        }
+    }
     return best;
 }
 
-/* Smallest value of sum c_i Y_i on the sphere, and where. dir [3] and value may be NULL. Bands to 32.
+/* Smallest value of sum c_i Y_i on the sphere, and where.
+ *
+ *   coeffs   [bands^2], bands to 32; of any scale, to 1e27 in float and 1e295 in double
+ *   dir      [3], a unit vector, and value: may be NULL
+ *
  * Samples 24 bands^2 + 64 points of a spiral and goes downhill from all that have no lower neighbour and lie within a tenth of
  * the range of the lowest: between samples the sum cannot fall further than that (Bernstein's inequality).
  * Error:  40 eps |coeffs| bands/3.5. */
@@ -2124,75 +2164,80 @@ SH_API int SHI_FN(sh_minimum)(int bands, const SHI_T *coeffs, SHI_T *dir, SHI_T 
 {
     SHI_T where[3] = { 0, 0, 1 }, low;
     int k;
+
     if (!coeffs) return SH_ERROR_NULL;
     if (bands < 1 || bands > SH_MAX_BANDS) return SH_ERROR_BANDS;
     if (shi_overlap(dir, 3 * sizeof *dir, value, sizeof *value)) return SH_ERROR_OVERLAP;
-    low = SHI_FN(shi_lowest)(bands, coeffs, SHI_BITS == 32 ? -SHI_C(3.4e38) : -SHI_C(1.7e308 * (SHI_BITS == 64)), where);
+    low = SHI_FN(shi_lowest)(bands, coeffs, 0, where);
     if (value) *value = low;
     for (k = 0; dir && k < 3; k++) dir[k] = where[k];
     return SH_OK;
 }
 
-/* Do all channels, windowed at 1/inverse_width, stay non-negative? Leaves them in out, if not NULL. */
-SHI_INLINE int SHI_FN(shi_window_suffices)(int kind, int bands, int channels, double inverse_width,
-                                           const SHI_T *in, SHI_T *out)
+/* Are all channels non-negative, band l times factors[l] (NULL: as they are)? */
+SHI_INLINE int SHI_FN(shi_non_negative)(int bands, int channels, const SHI_T *factors, const SHI_T *in)
 {
-    SHI_T factors[SH_MAX_BANDS], windowed[SH_MAX_BANDS * SH_MAX_BANDS], where[3];
-    int c, l;
+    SHI_T windowed[SH_MAX_BANDS * SH_MAX_BANDS], where[3];
+    int c;
 
-    for (l = 0; l < bands; l++) factors[l] = (SHI_T)shi_window(kind, 1 / inverse_width, l);
-    for (c = 0; c < channels; c++) {
-        SHI_T *const to = out ? out + c * bands * bands : windowed;
-        SHI_FN(sh_scale_bands)(bands, factors, in + c * bands * bands, to);
-        if (!(SHI_FN(shi_lowest)(bands, to, 0, where) >= 0)) return 0;
+    for (c = 0; c < channels; c++, in += bands * bands) {
+        if (factors) SHI_FN(sh_scale_bands)(bands, factors, in, windowed);
+        if (!(SHI_FN(shi_lowest)(bands, factors ? windowed : in, 1, where) >= 0)) return 0;
     }
     return 1;
 }
 
+/* Does a window of width 1/inverse_width suffice to make them so? */
+SHI_INLINE int SHI_FN(shi_window_suffices)(int kind, int bands, int channels, double inverse_width, const SHI_T *in)
+{
+    SHI_T factors[SH_MAX_BANDS];
+    SHI_FN(shi_window_factors)(kind, bands, 1 / inverse_width, factors);
+    return SHI_FN(shi_non_negative)(bands, channels, factors, in);
+}
+
 /* Window a light just enough to make it non-negative: the widest window of a kind, the same for all channels.
  *
- *   in, out    [channels][bands^2], apart
- *   channels   at least 1
- *   width      the width used, or 0 if none was needed; may be NULL
+ *   in, out    [channels][bands^2], apart; bands to 32
+ *   channels   1 .. 65536
+ *   width      the width used, in bands, or 0 if none was needed; may be NULL
  *
  * The minimum of the result, as sh_minimum finds it, is not negative; at a width 1e-5 larger it is (Hann
  * and Lanczos, whose minimum is not monotonic in the width: the widest in a scan in steps of 1/16 of the
  * inverse width, then refined). A channel whose mean is not positive cannot be mended: SH_ERROR_OPTION, as
- * is an unknown kind. NaN or Inf in the coefficients is SH_ERROR_NOT_FINITE. Bands to 32. */
+ * is an unknown kind. NaN or Inf in the coefficients is SH_ERROR_NOT_FINITE, and so are sums that leave the numbers' range. */
 SH_API int SHI_FN(sh_dering)(int kind, int bands, int channels, const SHI_T *in, SHI_T *out, SHI_T *width)
 {
     double low = 0, high;
     size_t bytes;
-    SHI_T where[3];
-    int c, k, fine = 1;
+    SHI_T factors[SH_MAX_BANDS];
+    int c, k, n;
 
     if (!in || !out) return SH_ERROR_NULL;
     if (bands < 1 || bands > SH_MAX_BANDS) return SH_ERROR_BANDS;
     if (channels < 1 || channels > 1 << 16) return SH_ERROR_COUNT;
-    bytes = (size_t)(channels * bands * bands) * sizeof *in;
+    n = bands * bands;
+    bytes = (size_t)(channels * n) * sizeof *in;
     if (shi_overlap(in, bytes, out, bytes) || shi_overlap(width, sizeof *width, out, bytes)) return SH_ERROR_OVERLAP;
     if (kind < SH_HANN || kind > SH_GAUSS) return SH_ERROR_OPTION;
     if (!SHI_FN(shi_finite)(in, bytes / sizeof *in)) return SH_ERROR_NOT_FINITE;
-    for (c = 0; c < channels; c++) {
-        if (!(in[c * bands * bands] > 0)) return SH_ERROR_OPTION;
-        if (fine && !(SHI_FN(shi_lowest)(bands, in + c * bands * bands, 0, where) >= 0)) fine = 0;
-    }
-    if (fine) {
+    for (c = 0; c < channels; c++)
+        if (!(in[c * n] > 0)) return SH_ERROR_OPTION;
+    if (SHI_FN(shi_non_negative)(bands, channels, NULL, in)) {
         memcpy(out, in, bytes);
         if (width) *width = 0;
         return SH_OK;
     }
-    for (high = 1.0 / 16; !SHI_FN(shi_window_suffices)(kind, bands, channels, high, in, NULL);
-         high += high < 1 ? 1.0 / 16 : high) {
+    for (high = 1.0 / 16; !SHI_FN(shi_window_suffices)(kind, bands, channels, high, in); high += high < 1 ? 1.0 / 16 : high) {
         low = high;
         if (high > 64) return SH_ERROR_NOT_FINITE;          /* the range of the numbers is exceeded */
     }
     for (k = 0; k < 40 && high - low > 1e-6 * high; k++) {
         const double middle = 0.5 * (low + high);
-        if (SHI_FN(shi_window_suffices)(kind, bands, channels, middle, in, NULL)) high = middle;
+        if (SHI_FN(shi_window_suffices)(kind, bands, channels, middle, in)) high = middle;
         else low = middle;
     }
-    SHI_FN(shi_window_suffices)(kind, bands, channels, high, in, out);
+    SHI_FN(shi_window_factors)(kind, bands, 1 / high, factors);
+    for (c = 0; c < channels; c++) SHI_FN(sh_scale_bands)(bands, factors, in + c * n, out + c * n);
     if (width) *width = (SHI_T)(1 / high);
     return SH_OK;
 }

@@ -101,7 +101,8 @@ static void F(windows)(void **state)
 static void F(minimum)(void **state)
 {
     row *w = row_open("minimum on the sphere", PRECISION), *wd = row_open("its value at its direction", PRECISION);
-    int turn, i;
+    const int far = sizeof(T) == 4 ? 45 : 920;
+    int turn, i, k;
 
     (void)state;
     for (turn = 0; turn < effort(36); turn++) {
@@ -119,6 +120,13 @@ static void F(minimum)(void **state)
         row_check(w, fmaxl(0, (long double)value - low), 0, 16 * (long double)EPS * size, 0);
         row_check(w, fmaxl(0, low - (long double)value), 0, size * bands * bands * 8e-5L + 16 * (long double)EPS * size, 1);
         for (i = 0; i < 3; i++) v[i] = (long double)u[i];
+        /* times a power of two it is the same minimum, however large or small the squares of the coefficients would be */
+        for (k = -far; k <= far; k += 2 * far) {
+            T scaled[81], there[3], other = 0;
+            for (i = 0; i < n; i++) scaled[i] = (T)ldexp((double)c[i], k);
+            assert_int_equal(F(sh_minimum)(bands, scaled, there, &other), SH_OK);
+            assert_true(FAST_MATH || (ldexp((double)value, k) == (double)other && !memcmp(u, there, sizeof u)));
+        }
         ref_values(bands, v, y);
         for (i = 0; i < n; i++) f += lc[i] * y[i];
         row_check(wd, (long double)value, f, 40 * (long double)EPS * size, 0);
