@@ -107,13 +107,21 @@ SHI_INLINE int shi_euler(const double m[9], double tolerance, double cs[6])
     return SH_OK;
 }
 
-/* sqrt((2l+1)/4pi) times the integral of z^s P_l over [0,1] */
+/* From the integrals of a function of z times P_l to its coefficients over 2 pi: times sqrt((2l+1)/4pi). */
+SHI_INLINE void shi_zonal_scale(int bands, double *zh)
+{
+    const double over_four_pi = 0.07957747154594767;
+    int l;
+    for (l = 0; l < bands; l++) zh[l] *= sqrt((2 * l + 1) * over_four_pi);
+}
+
+/* Coefficients of max(0, z)^s over 2 pi, from the integrals of z^s P_l over [0,1]. */
 SHI_INLINE void shi_zonal_power(int bands, double s, double *zh)
 {
     int l;
     for (l = 0; l < bands; l++)
         zh[l] = l == 0 ? 1 / (s + 1) : l == 1 ? 1 / (s + 2) : zh[l - 2] * (s - (l - 2)) / (s + l + 1);
-    for (l = 0; l < bands; l++) zh[l] *= sqrt((2 * l + 1) * 0.07957747154594767);
+    shi_zonal_scale(bands, zh);
 }
 
 /* Coefficients of a2 / (pi ((1 + a2) - (1 - a2) z)^2) with a2 = alpha^2. Its Legendre integrals are
@@ -141,7 +149,7 @@ SHI_INLINE void shi_ggx(int bands, double alpha, double *zh)
         }
     }
     for (l = 1; l < bands; l++) zh[l] *= zh[l - 1];
-    for (l = 0; l < bands; l++) zh[l] *= sqrt((2 * l + 1) * 0.07957747154594767);
+    shi_zonal_scale(bands, zh);
 }
 
 /* Weight of band l in a window of the given width in bands. */
@@ -1429,36 +1437,42 @@ SHI_INLINE void SHI_KN(shi_prod_rotate_all)(int bands, int plain, const SHI_T *s
     }
 }
 
+/* Which of the lanes' normals have no direction; the status of the first, SH_OK if all have one. */
+SHI_INLINE int SHI_KN(shi_prod_bad_normals)(const SHI_V n[3], char *bad)
+{
+    SHI_T t[3][SHI_W];
+    int status = SH_OK, i, k;
+
+    for (k = 0; k < 3; k++) SHI_STORE(t[k], n[k]);
+    for (i = 0; i < SHI_W; i++) {
+        SHI_T u[3];
+        for (k = 0; k < 3; k++) u[k] = t[k][i];
+        bad[i] = !SHI_ONE(shi_in_range)(u[0] * u[0] + u[1] * u[1] + u[2] * u[2], SHI_MIN2, SHI_MAX2);
+        if (bad[i] && status == SH_OK) status = SHI_FN(shi_direction_status)(u);
+    }
+    return status;
+}
+
 /* normals: NULL for +z. A bad one leaves its output alone; returns the status of the first. */
 SHI_INLINE int SHI_KN(shi_prod_cosine_all)(int bands, int plain, const SHI_T *swap, const SHI_T *clamp,
                                            size_t count, const SHI_T *normals, const SHI_T *in, SHI_T *out)
 {
     SHI_V n[3], d[SH_PRODUCT_BANDS * SH_PRODUCT_BANDS];
-    char skip[SHI_W];
-    int status = SH_OK, bad, i, k;
+    char bad[SHI_W];
+    int status = SH_OK;
     size_t v;
 
     for (v = 0; v < count; v += SHI_W) {
+        int now = SH_OK;
         SHI_KN(shi_prod_enter)(bands * bands, plain, v, count, in, d);
-        bad = 0;
         if (normals) {
             SHI_KN(shi_prod_enter)(3, plain, v, count, normals, n);
-            if (!SHI_KN(shi_in_range)(n[0] * n[0] + n[1] * n[1] + n[2] * n[2], SHI_MIN2, SHI_MAX2)) {
-                SHI_T t[3][SHI_W];
-                for (k = 0; k < 3; k++) SHI_STORE(t[k], n[k]);
-                for (i = 0; i < SHI_W; i++) {
-                    SHI_T u[3];
-                    for (k = 0; k < 3; k++) u[k] = t[k][i];
-                    skip[i] = !SHI_ONE(shi_in_range)(u[0] * u[0] + u[1] * u[1] + u[2] * u[2],
-                                                     SHI_MIN2, SHI_MAX2);
-                    if (!skip[i]) continue;
-                    if (!status) status = SHI_FN(shi_direction_status)(u);
-                    bad = 1;
-                }
-            }
+            if (!SHI_KN(shi_in_range)(n[0] * n[0] + n[1] * n[1] + n[2] * n[2], SHI_MIN2, SHI_MAX2))
+                now = SHI_KN(shi_prod_bad_normals)(n, bad);
             SHI_KN(shi_prod_cosine)(bands, swap, clamp, n, d);
         } else SHI_KN(shi_prod_clamp)(bands, clamp, d);
-        SHI_KN(shi_prod_leave)(bands * bands, plain, v, count, bad ? skip : NULL, d, out);
+        SHI_KN(shi_prod_leave)(bands * bands, plain, v, count, now ? bad : NULL, d, out);
+        if (!status) status = now;
     }
     return status;
 }
@@ -1553,7 +1567,7 @@ SH_API int SHI_FN(sh_rotation_inverse)(const SHI_FN(sh_rotation) *r, SHI_FN(sh_r
 }
 
 /* Arguments that most calls share: arrays of count vectors. */
-SHI_INLINE int SHI_FN(shi_vectors)(int bands, int most, size_t count, const SHI_T *in, const SHI_T *out)
+SHI_INLINE int SHI_FN(shi_check_vectors)(int bands, int most, size_t count, const SHI_T *in, const SHI_T *out)
 {
     size_t size;
     if (count && (!in || !out)) return SH_ERROR_NULL;
@@ -1564,40 +1578,39 @@ SHI_INLINE int SHI_FN(shi_vectors)(int bands, int most, size_t count, const SHI_
     return SH_OK;
 }
 
-/* Rotate coefficient vectors: sum out_i Y_i(R u) = sum in_i Y_i(u).
- *
- *   in, out   [count][bands^2], the same array or apart
- *
- * Error:  16 eps |in| to 6 bands, 40 eps to 16, for an orthonormal matrix.
- * Source: KSS02, with the exchange S of y and z in the place of the turn by 90 degrees: Ry(b) = S Rz(-b) S,
- *         one symmetric table, and no transposed code. */
-SH_API int SHI_FN(sh_rotate)(int bands, const SHI_FN(sh_rotation) *r, size_t count, const SHI_T *in,
-                             SHI_T *out)
+SHI_INLINE int SHI_FN(shi_rotate)(int bands, int plain, const SHI_FN(sh_rotation) *r, size_t count, const SHI_T *in,
+                                  SHI_T *out)
 {
-    const int status = SHI_FN(shi_vectors)(bands, SH_PRODUCT_BANDS, count, in, out);
+    const int status = SHI_FN(shi_check_vectors)(bands, SH_PRODUCT_BANDS, count, in, out);
     if (status || !count) return status;
     if (!r) return SH_ERROR_NULL;
-    SHI_MANY(shi_prod_rotate_all)(bands, 1, SHI_FN(shi_swap), r->angle[0], count, in, out);
+    SHI_MANY(shi_prod_rotate_all)(bands, plain, SHI_FN(shi_swap), r->angle[0], count, in, out);
     return SH_OK;
 }
 
-/* The same for in, out [blocks][bands^2][SH_BLOCK]. */
-SH_API int SHI_FN(sh_rotate_blocks)(int bands, const SHI_FN(sh_rotation) *r, size_t blocks, const SHI_T *in,
-                                    SHI_T *out)
+/* Rotate coefficient vectors: sum out_i Y_i(R u) = sum in_i Y_i(u).
+ *   bands     1..16
+ *   r         from sh_rotation_matrix, _quaternion or _inverse
+ *   in, out   [count][N], the same array or apart
+ * Error:  16 eps |in| to 6 bands, 40 eps to 16, for an orthonormal matrix.
+ * Source: KSS02, with the exchange S of y and z in the place of the turn by 90 degrees: Ry(b) = S Rz(-b) S, one symmetric
+ *         table, and no transposed code. */
+SH_API int SHI_FN(sh_rotate)(int bands, const SHI_FN(sh_rotation) *r, size_t count, const SHI_T *in, SHI_T *out)
 {
-    const size_t count = shi_block_items(blocks);
-    const int status = SHI_FN(shi_vectors)(bands, SH_PRODUCT_BANDS, count, in, out);
-    if (status || !count) return status;
-    if (!r) return SH_ERROR_NULL;
-    SHI_MANY(shi_prod_rotate_all)(bands, 0, SHI_FN(shi_swap), r->angle[0], count, in, out);
-    return SH_OK;
+    return SHI_FN(shi_rotate)(bands, 1, r, count, in, out);
+}
+
+/* The same for in, out [blocks][N][SH_BLOCK]. */
+SH_API int SHI_FN(sh_rotate_blocks)(int bands, const SHI_FN(sh_rotation) *r, size_t blocks, const SHI_T *in, SHI_T *out)
+{
+    return SHI_FN(shi_rotate)(bands, 0, r, shi_block_items(blocks), in, out);
 }
 
 /* Mirror: sum out_i Y_i(M u) = sum in_i Y_i(u), M the change of sign of axis 0 (x), 1 (y) or 2 (z). Exact.
  * in, out [count][bands^2], bands to 32. Another axis is SH_ERROR_OPTION. */
 SH_API int SHI_FN(sh_mirror)(int bands, int axis, size_t count, const SHI_T *in, SHI_T *out)
 {
-    const int status = SHI_FN(shi_vectors)(bands, SH_MAX_BANDS, count, in, out);
+    const int status = SHI_FN(shi_check_vectors)(bands, SH_MAX_BANDS, count, in, out);
     size_t v;
     int l, m;
 
@@ -1609,37 +1622,47 @@ SH_API int SHI_FN(sh_mirror)(int bands, int axis, size_t count, const SHI_T *in,
     return SH_OK;
 }
 
-/* Rename axes: sum out_i Y_i(u') = sum in_i Y_i(u), where u'[k] = +u[|axes[k]|-1], or its negative where
- * axes[k] < 0. { 1, -3, 2 } takes a y-up world to a z-up one, { 1, 3, -2 } back. Any of the 48 signed permutations; others are
- * SH_ERROR_OPTION. in, out [count][bands^2]. Error as sh_rotate; exact when z stays on its axis. */
+/* x <-> y in one vector: azimuth becomes 90 degrees less azimuth. */
+SHI_INLINE void SHI_FN(shi_exchange_x_y)(int bands, SHI_T *c)
+{
+    int l, m;
+    for (l = 1; l < bands; l++) {
+        SHI_T *d = c + l * (l + 1);
+        for (m = 1; m <= l; m++) {
+            const SHI_T p = d[m], q = d[-m];
+            d[m] = m & 1 ? (m & 2 ? -q : q) : (m & 2 ? -p : p);
+            d[-m] = m & 1 ? (m & 2 ? -p : p) : (m & 2 ? q : -q);
+        }
+    }
+}
+
+/* Rename axes: sum out_i Y_i(u') = sum in_i Y_i(u), where u'[k] = +u[|axes[k]| - 1], or its negative where axes[k] < 0.
+ *   axes      any of the 48 signed permutations of 1, 2, 3 (else SH_ERROR_OPTION): { 1, -3, 2 } takes a y-up world to a z-up
+ *             one, { 1, 3, -2 } back
+ *   in, out   [count][N], the same array or apart
+ * Error:  as sh_rotate; exact when z stays on its axis. */
 SH_API int SHI_FN(sh_permute_axes)(int bands, const int axes[3], size_t count, const SHI_T *in, SHI_T *out)
 {
-    const int status = SHI_FN(shi_vectors)(bands, SH_PRODUCT_BANDS, count, in, out);
-    int a[3], k, l, m, steps[3], used = 0;
-    size_t v;
+    const int status = SHI_FN(shi_check_vectors)(bands, SH_PRODUCT_BANDS, count, in, out);
+    const int x_y = 0, y_z = 1;
+    int a[3], k, steps[3], used = 0;
+    size_t v, n;
 
     if (status) return status;
     if (!axes) return SH_ERROR_NULL;
     for (k = 0; k < 3; k++) a[k] = axes[k] < 0 ? -(axes[k] + 1) : axes[k] - 1;
     if ((unsigned)a[0] > 2 || (unsigned)a[1] > 2 || (unsigned)a[2] > 2
-        || a[0] == a[1] || a[0] == a[2] || a[1] == a[2])
-        return SH_ERROR_OPTION;
-    /* exchanges of neighbours, applied in order: 0 for x <-> y, 1 for y <-> z */
-    if (a[2] == 0) { steps[used++] = 0; steps[used++] = 1; if (a[0] == 2) steps[used++] = 0; }
-    else if (a[2] == 1) { steps[used++] = 1; if (a[0] == 2) steps[used++] = 0; }
-    else if (a[0] == 1) steps[used++] = 0;
-    if (in != out) memmove(out, in, count * (size_t)(bands * bands) * sizeof *out);
+        || a[0] == a[1] || a[0] == a[2] || a[1] == a[2]) return SH_ERROR_OPTION;
+    n = (size_t)(bands * bands);
+    if (in != out) memmove(out, in, count * n * sizeof *out);
+    /* exchanges of neighbours, applied in order: the one for z to its place first, then x and y */
+    if (a[2] == 0) steps[used++] = x_y;
+    if (a[2] < 2) steps[used++] = y_z;
+    if (a[2] < 2 ? a[0] == 2 : a[0] == 1) steps[used++] = x_y;
     for (k = 0; k < used; k++)
-        if (steps[k]) SHI_MANY(shi_prod_swap_all)(bands, SHI_FN(shi_swap), count, out, out);
-        else for (v = 0; v < count; v++)
-            for (l = 1; l < bands; l++) {
-                SHI_T *d = out + v * (size_t)(bands * bands) + l * (l + 1);
-                for (m = 1; m <= l; m++) {      /* azimuth becomes 90 degrees less azimuth */
-                    const SHI_T p = d[m], q = d[-m];
-                    d[m] = m & 1 ? (m & 2 ? -q : q) : (m & 2 ? -p : p);
-                    d[-m] = m & 1 ? (m & 2 ? -p : p) : (m & 2 ? q : -q);
-                }
-            }
+        if (steps[k] == y_z) SHI_MANY(shi_prod_swap_all)(bands, SHI_FN(shi_swap), count, out, out);
+        else
+            for (v = 0; v < count; v++) SHI_FN(shi_exchange_x_y)(bands, out + v * n);
     for (k = 0; k < 3; k++)
         if (axes[k] < 0) SHI_FN(sh_mirror)(bands, k, count, out, out);
     return SH_OK;
@@ -1706,25 +1729,39 @@ SH_API int SHI_FN(sh_triple_product_n)(int bands, size_t count, const SHI_T *a, 
     return SHI_FN(shi_products)(bands, bands, bands, count, a, b, out);
 }
 
-/* Coefficients of max(0, n.u) f(u), exact for the bands given: the cosine is never cut to a few bands.
- * Normal +z:
- *
- *   coeffs, out   [bands^2], or count of them, or [blocks][bands^2][SH_BLOCK]; the same array or apart
- *
+SHI_INLINE int SHI_FN(shi_cosine_local)(int bands, int plain, size_t count, const SHI_T *coeffs, SHI_T *out)
+{
+    const int status = SHI_FN(shi_check_vectors)(bands, SH_PRODUCT_BANDS, count, coeffs, out);
+    if (status) return status;
+    SHI_MANY(shi_prod_cosine_all)(bands, plain, SHI_FN(shi_swap), SHI_FN(shi_clamp), count, NULL, coeffs, out);
+    return SH_OK;
+}
+
+SHI_INLINE int SHI_FN(shi_cosine)(int bands, int plain, size_t count, const SHI_T *normals, const SHI_T *coeffs, SHI_T *out)
+{
+    const int status = SHI_FN(shi_check_vectors)(bands, SH_PRODUCT_BANDS, count, coeffs, out);
+    if (status) return status;
+    if (count && !normals) return SH_ERROR_NULL;
+    if (shi_overlap(normals, 3 * count * sizeof *out, out, count * (size_t)(bands * bands) * sizeof *out))
+        return SH_ERROR_OVERLAP;
+    return SHI_MANY(shi_prod_cosine_all)(bands, plain, SHI_FN(shi_swap), SHI_FN(shi_clamp), count, normals, coeffs, out);
+}
+
+/* Coefficients of max(0, z) f(u), exact for the bands given: the cosine is never cut to a few bands.
+ *   bands         1..16
+ *   coeffs, out   [count][N], the same array or apart
  * Error:  16 eps |coeffs| to 6 bands, 40 eps to 16.
  * Source: MP21 Eq. 11. */
 SH_API int SHI_FN(sh_cosine_product_local_n)(int bands, size_t count, const SHI_T *coeffs, SHI_T *out)
 {
-    const int status = SHI_FN(shi_vectors)(bands, SH_PRODUCT_BANDS, count, coeffs, out);
-    if (status) return status;
-    SHI_MANY(shi_prod_cosine_all)(bands, 1, SHI_FN(shi_swap), SHI_FN(shi_clamp), count, NULL, coeffs, out);
-    return SH_OK;
+    return SHI_FN(shi_cosine_local)(bands, 1, count, coeffs, out);
 }
 
+/* One vector: coeffs, out [N]. */
 SH_API int SHI_FN(sh_cosine_product_local)(int bands, const SHI_T *coeffs, SHI_T *out)
 {
     SHI_T d[SH_PRODUCT_BANDS * SH_PRODUCT_BANDS];   /* gcc 12 warns of 16 bands in a caller's smaller array */
-    const int status = SHI_FN(shi_vectors)(bands, SH_PRODUCT_BANDS, 1, coeffs, out);
+    const int status = SHI_FN(shi_check_vectors)(bands, SH_PRODUCT_BANDS, 1, coeffs, out);
     if (status) return status;
     memcpy(d, coeffs, (size_t)(bands * bands) * sizeof *d);
     SHI_ONE(shi_prod_clamp)(bands, SHI_FN(shi_clamp), d);
@@ -1732,47 +1769,35 @@ SH_API int SHI_FN(sh_cosine_product_local)(int bands, const SHI_T *coeffs, SHI_T
     return SH_OK;
 }
 
+/* The same for coeffs, out [blocks][N][SH_BLOCK]. */
 SH_API int SHI_FN(sh_cosine_product_local_blocks)(int bands, size_t blocks, const SHI_T *coeffs, SHI_T *out)
 {
-    const size_t count = shi_block_items(blocks);
-    const int status = SHI_FN(shi_vectors)(bands, SH_PRODUCT_BANDS, count, coeffs, out);
-    if (status) return status;
-    SHI_MANY(shi_prod_cosine_all)(bands, 0, SHI_FN(shi_swap), SHI_FN(shi_clamp), count, NULL, coeffs, out);
-    return SH_OK;
+    return SHI_FN(shi_cosine_local)(bands, 0, shi_block_items(blocks), coeffs, out);
 }
 
-/* The same about any normal, one per vector: [3], [count][3] or [blocks][3][SH_BLOCK], of any length from
- * 1e-18 to 1e18, apart from out. A zero normal is SH_ERROR_DIRECTION, NaN or Inf in one SH_ERROR_NOT_FINITE: its output is
- * left alone, the others are written. Turns the normal to +z, multiplies, turns back: with MP21's "zxzx"
- * rotation cut to two angles. Error as above. */
-SH_API int SHI_FN(sh_cosine_product_n)(int bands, size_t count, const SHI_T *normals, const SHI_T *coeffs,
-                                       SHI_T *out)
+/* Coefficients of max(0, n.u) f(u), a normal n for each vector: turned to +z, multiplied, turned back, which is MP21's "zxzx"
+ * rotation cut to two angles.
+ *   bands         1..16
+ *   normals       [count][3], of any length from 1e-18 to 1e18 (double 1e-150 to 1e150), apart from out. A zero one is
+ *                 SH_ERROR_DIRECTION, NaN or Inf in one SH_ERROR_NOT_FINITE: its output is left alone, the others are written
+ *   coeffs, out   [count][N], the same array or apart
+ * Error:  16 eps |coeffs| to 6 bands, 40 eps to 16.
+ * Source: MP21 Eq. 11. */
+SH_API int SHI_FN(sh_cosine_product_n)(int bands, size_t count, const SHI_T *normals, const SHI_T *coeffs, SHI_T *out)
 {
-    const int status = SHI_FN(shi_vectors)(bands, SH_PRODUCT_BANDS, count, coeffs, out);
-    if (status) return status;
-    if (count && !normals) return SH_ERROR_NULL;
-    if (shi_overlap(normals, 3 * count * sizeof *out, out, count * (size_t)(bands * bands) * sizeof *out))
-        return SH_ERROR_OVERLAP;
-    return SHI_MANY(shi_prod_cosine_all)(bands, 1, SHI_FN(shi_swap), SHI_FN(shi_clamp), count, normals,
-                                         coeffs, out);
+    return SHI_FN(shi_cosine)(bands, 1, count, normals, coeffs, out);
 }
 
+/* One vector: coeffs, out [N]. */
 SH_API int SHI_FN(sh_cosine_product)(int bands, const SHI_T normal[3], const SHI_T *coeffs, SHI_T *out)
 {
-    return SHI_FN(sh_cosine_product_n)(bands, 1, normal, coeffs, out);
+    return SHI_FN(shi_cosine)(bands, 1, 1, normal, coeffs, out);
 }
 
-SH_API int SHI_FN(sh_cosine_product_blocks)(int bands, size_t blocks, const SHI_T *normals,
-                                            const SHI_T *coeffs, SHI_T *out)
+/* The same for normals [blocks][3][SH_BLOCK] and coeffs, out [blocks][N][SH_BLOCK]. */
+SH_API int SHI_FN(sh_cosine_product_blocks)(int bands, size_t blocks, const SHI_T *normals, const SHI_T *coeffs, SHI_T *out)
 {
-    const size_t count = shi_block_items(blocks);
-    const int status = SHI_FN(shi_vectors)(bands, SH_PRODUCT_BANDS, count, coeffs, out);
-    if (status) return status;
-    if (count && !normals) return SH_ERROR_NULL;
-    if (shi_overlap(normals, 3 * count * sizeof *out, out, count * (size_t)(bands * bands) * sizeof *out))
-        return SH_ERROR_OVERLAP;
-    return SHI_MANY(shi_prod_cosine_all)(bands, 0, SHI_FN(shi_swap), SHI_FN(shi_clamp), count, normals,
-                                         coeffs, out);
+    return SHI_FN(shi_cosine)(bands, 0, shi_block_items(blocks), normals, coeffs, out);
 }
 
 /* Irradiance from any cosine-weighted product T: the double product is 2 sqrt(pi) T_00 (MP21 Eq. 9). */
@@ -1832,7 +1857,7 @@ SH_API int SHI_FN(sh_zonal_ggx)(int bands, SHI_T alpha, SHI_T *zh)
 /* Multiply band l by factors[l]. in, out [bands^2], the same array or apart; bands to 32. */
 SH_API int SHI_FN(sh_scale_bands)(int bands, const SHI_T *factors, const SHI_T *in, SHI_T *out)
 {
-    const int status = SHI_FN(shi_vectors)(bands, SH_MAX_BANDS, 1, in, out);
+    const int status = SHI_FN(shi_check_vectors)(bands, SH_MAX_BANDS, 1, in, out);
     int l, m;
     if (status) return status;
     if (!factors) return SH_ERROR_NULL;
