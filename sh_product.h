@@ -2,7 +2,7 @@
  *
  * USE         #include "sh_product.h"     beside sh_gradient.h; nothing else, no implementation macro.
  *
- * CONVENTION  as sh_gradient.h: orthonormal, polar z, index l(l+1)+m, Y_1 = 0.4886 (-y, +z, -x).
+ * CONVENTION  as sh_gradient.h: orthonormal, polar z, index l(l+1)+m, N = bands^2, Y_1 = 0.4886 (-y, +z, -x).
  *             Other systems' sets: sh_convert_to / sh_convert_from, docs/conventions.md.
  *
  * FUNCTIONS   each with suffix _f32 or _f64; bands 1..16 unless said otherwise; all return a status
@@ -19,13 +19,12 @@
  *   ringing    sh_scale_bands, sh_window, sh_minimum, sh_dering
  *   exchange   sh_convention, sh_convention_name, _size; sh_convert_to, _from, _direction_to, _direction_from
  *
- * DOES NOT    allocate, keep state, print. Arrays need no alignment. In and out may be the same
- *             array, or must not overlap (SH_ERROR_OVERLAP). NaN and Inf in coefficients go through; in
- *             geometry (and in sh_dering) they are an error. Stack, f64 (f32: half): triple product
- *             50 KB, sh_minimum and sh_dering 140 KB, the others 27 KB at most.
+ * DOES NOT    allocate, keep state, print. Arrays need no alignment. In and out may be the same array, or must not overlap
+ *             (SH_ERROR_OVERLAP). NaN and Inf in coefficients go through; in geometry (and in sh_dering) they are an error.
+ *             Stack, f64 (f32: half): triple product 50 KB, sh_minimum and sh_dering 140 KB, the others 27 KB at most.
  *
- * ERROR       c = the input vector, |.| its 2-norm, worst over the output: rotation and cosine products
- *             16 eps |c| to 6 bands, 40 eps |c| to 16; triple product the same with |a| |b|. Worst seen is
+ * ERROR       eps and M_l as in sh_gradient.h; c = the input vector, |.| its 2-norm, worst over the output: rotation and cosine
+ *             products 16 eps |c| to 6 bands, 40 eps |c| to 16; triple product the same with |a| |b|. Worst seen is
  *             1.8 eps |c| (docs/products.md); `make test` prints it.
  *
  * SOURCES     MP21  Mezieres, Paulin, Efficient spherical harmonic shading for separable BRDF (2021)
@@ -50,7 +49,7 @@
 #endif
 
 enum { SH_PRODUCT_BANDS = 16 };         /* most bands of rotations and products */
-enum { SH_HANN = 1, SH_LANCZOS = 2, SH_GAUSS = 3 };
+enum { SH_HANN = 1, SH_LANCZOS = 2, SH_GAUSS = 3 };     /* windows */
 enum { SHI_KEPT = 1024, SHI_CHUNK = 64 };   /* samples that sh_minimum keeps, and takes at once */
 
 /* Cases of a switch over n that call body(n, ...) with n a constant: its loops unroll, and what hangs on n is decided. */
@@ -77,7 +76,8 @@ SHI_INLINE int shi_clash(const void *out, size_t out_bytes, const void *in, size
     return (out != in || out_bytes != in_bytes) && shi_overlap(out, out_bytes, in, in_bytes);
 }
 
-/* Cosine and sine of a, b and g in m = Rz(a) Ry(b) Rz(g). */
+/* cs = cosine and sine of a, of b and of g in m = Rz(a) Ry(b) Rz(g), m row-major; SH_ERROR_MATRIX if m mirrors, or its rows'
+ * dot products are off by more than the tolerance. */
 SHI_INLINE int shi_euler(const double m[9], double tolerance, double cs[6])
 {
     double sb, r, det;
@@ -124,10 +124,10 @@ SHI_INLINE void shi_zonal_power(int bands, double s, double *zh)
     shi_zonal_scale(bands, zh);
 }
 
-/* Coefficients of a2 / (pi ((1 + a2) - (1 - a2) z)^2) with a2 = alpha^2. Its Legendre integrals are
- * -Q_l'(p), Q the function of the second kind, p = (1 + a2)/(1 - a2): the decaying solution of l e_{l+1} =
- * (2l+1) p e_l - (l+1) e_{l-1}. Carried as s_l = 1 - e_l/e_{l-1} it has no cancellation downwards; for
- * alpha below 1e-3, where that is long, s_l is so small that it may go upwards from s_1. */
+/* Coefficients of a2 / (pi ((1 + a2) - (1 - a2) z)^2) with a2 = alpha^2. Its Legendre integrals are -Q_l'(p), Q the function
+ * of the second kind, p = (1 + a2)/(1 - a2): the decaying solution of l e_{l+1} = (2l+1) p e_l - (l+1) e_{l-1}. Carried as
+ * s_l = 1 - e_l/e_{l-1} it has no cancellation downwards; for alpha below 1e-3, where that is long, s_l is so small that it
+ * may go upwards from s_1. */
 SHI_INLINE void shi_ggx(int bands, double alpha, double *zh)
 {
     /* t = 1/p, u = 1 - t */
@@ -152,7 +152,7 @@ SHI_INLINE void shi_ggx(int bands, double alpha, double *zh)
     shi_zonal_scale(bands, zh);
 }
 
-/* Weight of band l in a window of the given width in bands. */
+/* Weight of band l in a window of a width in bands: S08 for Hann's and Lanczos's. */
 SHI_INLINE double shi_window(int kind, double width, int l)
 {
     const double x = SHI_PI * l / width;
@@ -205,7 +205,7 @@ SHI_INLINE void shi_newton_step(const double v[3], const double grad[3], const d
     }
 }
 
-/* Even (1) or odd (-1) under the mirror of axis 0, 1, 2. */
+/* Is Y_lm even (1) or odd (-1) under the mirror of axis 0, 1, 2? */
 SHI_INLINE int shi_parity(int axis, int l, int m)
 {
     const int odd = axis == 0 ? (m < 0) ^ (m & 1) : axis == 1 ? m < 0 : (l + m) & 1;
@@ -1018,8 +1018,7 @@ static const SHI_T SHI_FN(shi_node_w)[28] = {
  * ============================================================================================================= */
 #elif SHI_ROOM == SHI_KERNELS
 
-/* Turn band l about z: by the angle whose multiples' cosines and sines are c[m], s[m]; back by the same
- * angle. */
+/* Turn band l about z by the angle whose multiples' cosines and sines are c[m], s[m]. */
 SHI_INLINE void SHI_KN(shi_prod_turn)(int l, SHI_V *d, const SHI_V *c, const SHI_V *s)
 {
     int m;
@@ -1030,6 +1029,7 @@ SHI_INLINE void SHI_KN(shi_prod_turn)(int l, SHI_V *d, const SHI_V *c, const SHI
     }
 }
 
+/* ... and back by it. */
 SHI_INLINE void SHI_KN(shi_prod_turn_back)(int l, SHI_V *d, const SHI_V *c, const SHI_V *s)
 {
     int m;
@@ -1086,9 +1086,9 @@ SHI_KERNEL void SHI_KN(shi_prod_exchange_of)(const int n, const SHI_T *k, SHI_V 
     }
 }
 
-/* Exchange y and z in band l. A basis function is even or odd in x, y and z; the swap keeps x and
- * exchanges the other two, so of the classes cos even m, cos odd m, sin even m, sin odd m two map to
- * themselves and two to each other. */
+/* Exchange y and z in band l, k its part of the table. A basis function is even or odd in x, y and z; the swap keeps x and
+ * exchanges the other two, so of the classes cos even m, cos odd m, sin even m, sin odd m two map to themselves and two to
+ * each other. */
 SHI_NOINLINE void SHI_KN(shi_prod_swap)(int l, const SHI_T *k, SHI_V *d)
 {
     const int half = (l + 1) / 2;
@@ -1115,8 +1115,8 @@ SHI_NOINLINE void SHI_KN(shi_prod_swap)(int l, const SHI_T *k, SHI_V *d)
     }
 }
 
-/* Multiply by max(0, z) in column m, of s rows l = m, m+1, ...: a row meets the rows of its parity through a
- * square of k, and its two neighbours; sign picks the cosines or the sines. */
+/* Multiply by max(0, z) in column m, of s rows l = m, m+1, ...: a row meets the rows of its parity through a square of k, and
+ * its two neighbours; sign picks the cosines (1) or the sines (-1). */
 SHI_KERNEL void SHI_KN(shi_prod_column_of)(const int s, int m, int sign, const SHI_T *k, SHI_V *d)
 {
     const int even = (SH_PRODUCT_BANDS - m + 1) / 2, odd = (SH_PRODUCT_BANDS - m) / 2;
@@ -1158,6 +1158,7 @@ SHI_NOINLINE void SHI_KN(shi_prod_column)(int s, int m, int sign, const SHI_T *k
     }
 }
 
+/* All columns, k the table from column 0 on. */
 SHI_INLINE void SHI_KN(shi_prod_clamp)(int bands, const SHI_T *k, SHI_V *d)
 {
     int m;
@@ -1183,10 +1184,8 @@ SHI_INLINE void SHI_KN(shi_prod_multiples)(int bands, const SHI_V *c, const SHI_
     }
 }
 
-/* f times the clamped cosine about a normal per lane: turn the normal to +z (Rz then Ry = swap Rz swap),
- * multiply, back. */
-SHI_INLINE void SHI_KN(shi_prod_cosine)(int bands, const SHI_T *swap, const SHI_T *clamp, const SHI_V n[3],
-                                        SHI_V *d)
+/* f times the clamped cosine about a normal per lane: turn the normal to +z (Rz then Ry = swap Rz swap), multiply, back. */
+SHI_INLINE void SHI_KN(shi_prod_cosine)(int bands, const SHI_T *swap, const SHI_T *clamp, const SHI_V n[3], SHI_V *d)
 {
     SHI_V ca[SH_PRODUCT_BANDS], sa[SH_PRODUCT_BANDS], cb[SH_PRODUCT_BANDS], sb[SH_PRODUCT_BANDS];
     SHI_V zero, one, x, y, z, big, scale, s2, s, r, c;
@@ -1229,6 +1228,7 @@ SHI_INLINE void SHI_KN(shi_prod_cosine)(int bands, const SHI_T *swap, const SHI_
     }
 }
 
+/* angle[6][SH_PRODUCT_BANDS], as in sh_rotation: about z, y (as swap Rz back swap), z, the last angle first. */
 SHI_INLINE void SHI_KN(shi_prod_rotate)(int bands, const SHI_T *swap, const SHI_V *angle, SHI_V *d)
 {
     int l;
@@ -1252,8 +1252,8 @@ SHI_INLINE void SHI_KN(shi_prod_swap_bands)(int bands, const SHI_T *swap, SHI_V 
     }
 }
 
-/* Complex Fourier coefficients in azimuth of a function at heights +z (first half of re, im) and -z, m =
- * -(bands-1).. about the middle. y holds Y_lm at azimuth 0, m >= 0, elements SH_BLOCK apart. */
+/* Complex Fourier coefficients in azimuth of a function at height z: re[m], im[m], m = -(bands-1) .. bands-1, and at -z:
+ * 2 SH_PRODUCT_BANDS further on. y holds Y_lm at azimuth 0, m >= 0, elements SH_BLOCK apart. */
 SHI_INLINE void SHI_KN(shi_prod_fourier)(int bands, const SHI_T *y, const SHI_T *c, SHI_V *re, SHI_V *im)
 {
     const int other = 2 * SH_PRODUCT_BANDS;
@@ -1290,10 +1290,11 @@ SHI_INLINE void SHI_KN(shi_prod_fourier)(int bands, const SHI_T *y, const SHI_T 
     }
 }
 
-/* Product by sampling: exact, because pairs of Gauss nodes integrate the polynomial of degree na + nb + n
- * - 3 in z, and in azimuth the product of the two Fourier series is formed instead of sampled. */
-SHI_INLINE void SHI_KN(shi_prod_triple)(int pairs, int na, int nb, int n, int stride, const SHI_T *y,
-                                        const SHI_T *weight, const SHI_T *a, const SHI_T *b, SHI_T *out)
+/* Product by sampling: exact, because pairs of Gauss nodes integrate the polynomial of degree na + nb + n - 3 in z, and in
+ * azimuth the product of the two Fourier series is formed instead of sampled. Its terms t at +z and u at -z, real and
+ * imaginary, become their sum and difference: for the rows even and odd in z. */
+SHI_INLINE void SHI_KN(shi_prod_triple)(int pairs, int na, int nb, int n, int stride, const SHI_T *y, const SHI_T *weight,
+                                        const SHI_T *a, const SHI_T *b, SHI_T *out)
 {
     SHI_V sum[SH_PRODUCT_BANDS * SH_PRODUCT_BANDS];
     SHI_V ar[4 * SH_PRODUCT_BANDS], ai[4 * SH_PRODUCT_BANDS];
@@ -1357,10 +1358,9 @@ SHI_KERNEL void SHI_KN(shi_prod_mirror_lanes)(SHI_V *a)
 #endif
 }
 
-/* SHI_W vectors of n numbers from the first on: plain [count][n], or blocks [n][SH_BLOCK], which have no
- * rest. Lanes past the end repeat the last vector. */
-SHI_INLINE void SHI_KN(shi_prod_enter)(int n, int plain, size_t first, size_t count, const SHI_T *in,
-                                       SHI_V *d)
+/* SHI_W vectors of n numbers from the first on: plain [count][n], or blocks [n][SH_BLOCK], which have no rest. Lanes past the
+ * end repeat the last vector. */
+SHI_INLINE void SHI_KN(shi_prod_enter)(int n, int plain, size_t first, size_t count, const SHI_T *in, SHI_V *d)
 {
     const size_t left = count - first, size = (size_t)n;
     const SHI_T *from[SHI_W];
@@ -1390,8 +1390,8 @@ SHI_INLINE void SHI_KN(shi_prod_enter)(int n, int plain, size_t first, size_t co
 }
 
 /* The way back; lanes with skip[i] set are not written (skip may be NULL). */
-SHI_INLINE void SHI_KN(shi_prod_leave)(int n, int plain, size_t first, size_t count, const char *skip,
-                                       const SHI_V *d, SHI_T *out)
+SHI_INLINE void SHI_KN(shi_prod_leave)(int n, int plain, size_t first, size_t count, const char *skip, const SHI_V *d,
+                                       SHI_T *out)
 {
     const size_t left = count - first, size = (size_t)n;
     const size_t next = plain ? size : 1;
@@ -1422,8 +1422,9 @@ SHI_INLINE void SHI_KN(shi_prod_leave)(int n, int plain, size_t first, size_t co
     }
 }
 
-SHI_INLINE void SHI_KN(shi_prod_rotate_all)(int bands, int plain, const SHI_T *swap, const SHI_T *angle,
-                                            size_t count, const SHI_T *in, SHI_T *out)
+/* All vectors, plain or in blocks; angle as in shi_prod_rotate. */
+SHI_INLINE void SHI_KN(shi_prod_rotate_all)(int bands, int plain, const SHI_T *swap, const SHI_T *angle, size_t count,
+                                            const SHI_T *in, SHI_T *out)
 {
     SHI_V a[6 * SH_PRODUCT_BANDS], d[SH_PRODUCT_BANDS * SH_PRODUCT_BANDS];
     size_t v;
@@ -1454,8 +1455,8 @@ SHI_INLINE int SHI_KN(shi_prod_bad_normals)(const SHI_V n[3], char *bad)
 }
 
 /* normals: NULL for +z. A bad one leaves its output alone; returns the status of the first. */
-SHI_INLINE int SHI_KN(shi_prod_cosine_all)(int bands, int plain, const SHI_T *swap, const SHI_T *clamp,
-                                           size_t count, const SHI_T *normals, const SHI_T *in, SHI_T *out)
+SHI_INLINE int SHI_KN(shi_prod_cosine_all)(int bands, int plain, const SHI_T *swap, const SHI_T *clamp, size_t count,
+                                           const SHI_T *normals, const SHI_T *in, SHI_T *out)
 {
     SHI_V n[3], d[SH_PRODUCT_BANDS * SH_PRODUCT_BANDS];
     char bad[SHI_W];
@@ -1477,9 +1478,8 @@ SHI_INLINE int SHI_KN(shi_prod_cosine_all)(int bands, int plain, const SHI_T *sw
     return status;
 }
 
-/* y <-> z */
-SHI_INLINE void SHI_KN(shi_prod_swap_all)(int bands, const SHI_T *swap, size_t count, const SHI_T *in,
-                                          SHI_T *out)
+/* y <-> z in all vectors, plain */
+SHI_INLINE void SHI_KN(shi_prod_swap_all)(int bands, const SHI_T *swap, size_t count, const SHI_T *in, SHI_T *out)
 {
     SHI_V d[SH_PRODUCT_BANDS * SH_PRODUCT_BANDS];
     size_t v;
@@ -1496,11 +1496,12 @@ SHI_INLINE void SHI_KN(shi_prod_swap_all)(int bands, const SHI_T *swap, size_t c
  * ============================================================================================================= */
 #elif SHI_ROOM == SHI_PUBLIC
 
-/* ---- rotation ------------------------------------------------------------------------------------------ */
+/* ---- rotation ---- */
 
 /* A rotation, ready for use: cosines, then sines, of the multiples of a, b and g in Rz(a) Ry(b) Rz(g). */
 typedef struct { SHI_T angle[6][SH_PRODUCT_BANDS]; } SHI_FN(sh_rotation);
 
+/* The checked matrix, as multiples of its three angles in double. */
 SHI_INLINE int SHI_FN(shi_rotation)(const double m[9], SHI_FN(sh_rotation) *r)
 {
     double cs[6];
@@ -1521,8 +1522,9 @@ SHI_INLINE int SHI_FN(shi_rotation)(const double m[9], SHI_FN(sh_rotation) *r)
     return SH_OK;
 }
 
-/* Set up r from a row-major matrix that takes old directions to new ones, u' = m u: a few eps per angle, which sh_rotate's
- * bound includes. A mirrored matrix, or one not orthonormal within sqrt(eps), is SH_ERROR_MATRIX. */
+/* Set up r, once per rotation, from a matrix that takes old directions to new ones: u' = m u.
+ *   m   row-major. One that mirrors, or is not orthonormal within sqrt(eps), is SH_ERROR_MATRIX
+ * Error:  a few eps per angle, which sh_rotate's bound includes. */
 SH_API int SHI_FN(sh_rotation_matrix)(const SHI_T m[9], SHI_FN(sh_rotation) *r)
 {
     double d[9];
@@ -1534,8 +1536,7 @@ SH_API int SHI_FN(sh_rotation_matrix)(const SHI_T m[9], SHI_FN(sh_rotation) *r)
     return SHI_FN(shi_rotation)(d, r);
 }
 
-/* The same from a quaternion x, y, z, w of any length from 1e-18 to 1e18; a shorter or longer one is
- * SH_ERROR_MATRIX. */
+/* The same from a quaternion x, y, z, w of any length from 1e-18 to 1e18; a shorter or longer one is SH_ERROR_MATRIX. */
 SH_API int SHI_FN(sh_rotation_quaternion)(const SHI_T q[4], SHI_FN(sh_rotation) *r)
 {
     double d[9], x, y, z, w, s;
@@ -1566,7 +1567,7 @@ SH_API int SHI_FN(sh_rotation_inverse)(const SHI_FN(sh_rotation) *r, SHI_FN(sh_r
     return SH_OK;
 }
 
-/* Arguments that most calls share: arrays of count vectors. */
+/* Arguments that most calls share, count vectors in and out of 1 .. `most` bands, one array or apart; O(1). */
 SHI_INLINE int SHI_FN(shi_check_vectors)(int bands, int most, size_t count, const SHI_T *in, const SHI_T *out)
 {
     size_t size;
@@ -1578,8 +1579,7 @@ SHI_INLINE int SHI_FN(shi_check_vectors)(int bands, int most, size_t count, cons
     return SH_OK;
 }
 
-SHI_INLINE int SHI_FN(shi_rotate)(int bands, int plain, const SHI_FN(sh_rotation) *r, size_t count, const SHI_T *in,
-                                  SHI_T *out)
+SHI_INLINE int SHI_FN(shi_rotate)(int bands, int plain, const SHI_FN(sh_rotation) *r, size_t count, const SHI_T *in, SHI_T *out)
 {
     const int status = SHI_FN(shi_check_vectors)(bands, SH_PRODUCT_BANDS, count, in, out);
     if (status || !count) return status;
@@ -1606,8 +1606,10 @@ SH_API int SHI_FN(sh_rotate_blocks)(int bands, const SHI_FN(sh_rotation) *r, siz
     return SHI_FN(shi_rotate)(bands, 0, r, shi_block_items(blocks), in, out);
 }
 
-/* Mirror: sum out_i Y_i(M u) = sum in_i Y_i(u), M the change of sign of axis 0 (x), 1 (y) or 2 (z). Exact.
- * in, out [count][bands^2], bands to 32. Another axis is SH_ERROR_OPTION. */
+/* Mirror: sum out_i Y_i(M u) = sum in_i Y_i(u), M the change of sign of an axis. Exact.
+ *   bands     1..32
+ *   axis      0 (x), 1 (y) or 2 (z); another one is SH_ERROR_OPTION
+ *   in, out   [count][N], the same array or apart */
 SH_API int SHI_FN(sh_mirror)(int bands, int axis, size_t count, const SHI_T *in, SHI_T *out)
 {
     const int status = SHI_FN(shi_check_vectors)(bands, SH_MAX_BANDS, count, in, out);
@@ -1637,6 +1639,7 @@ SHI_INLINE void SHI_FN(shi_exchange_x_y)(int bands, SHI_T *c)
 }
 
 /* Rename axes: sum out_i Y_i(u') = sum in_i Y_i(u), where u'[k] = +u[|axes[k]| - 1], or its negative where axes[k] < 0.
+ *   bands     1..16
  *   axes      any of the 48 signed permutations of 1, 2, 3 (else SH_ERROR_OPTION): { 1, -3, 2 } takes a y-up world to a z-up
  *             one, { 1, 3, -2 } back
  *   in, out   [count][N], the same array or apart
@@ -1668,10 +1671,11 @@ SH_API int SHI_FN(sh_permute_axes)(int bands, const int axes[3], size_t count, c
     return SH_OK;
 }
 
-/* ---- products ------------------------------------------------------------------------------------------ */
+/* ---- products ---- */
 
-SHI_INLINE int SHI_FN(shi_products)(int na, int nb, int n, size_t count, const SHI_T *a, const SHI_T *b,
-                                    SHI_T *out)
+/* Products of na and nb bands to n bands, count of each. The basis at the nodes is made once, at azimuth 0: the fewest pairs
+ * of nodes, 4, 8 or 16, that integrate the degree and fill the lanes. */
+SHI_INLINE int SHI_FN(shi_products)(int na, int nb, int n, size_t count, const SHI_T *a, const SHI_T *b, SHI_T *out)
 {
     const int most = na > nb ? (na > n ? na : n) : nb > n ? nb : n;
     SHI_T y[2 * SH_PRODUCT_BANDS * SH_PRODUCT_BANDS * SH_BLOCK], dirs[2 * 3 * SH_BLOCK];
@@ -1705,25 +1709,24 @@ SHI_INLINE int SHI_FN(shi_products)(int na, int nb, int n, size_t count, const S
     return SH_OK;
 }
 
-/* Coefficients of the product of two functions, to bands_out bands; a, b and out have their own numbers of
- * bands. out may be a or b (same bands) or is apart from both. Error 16 eps |a| |b| to 6 bands, 40 eps to
- * 16.
- *
- * Source: MP21 Eq. 5, summed over a grid on which it is exact: Gauss nodes in z and Fourier series in
- *         azimuth, O(bands^3) against O(bands^5) of the table of real Gaunt coefficients, and no table. */
-SH_API int SHI_FN(sh_triple_product_bands)(int bands_a, const SHI_T *a, int bands_b, const SHI_T *b,
-                                           int bands_out, SHI_T *out)
+/* Coefficients of the product of two functions.
+ *   bands_a, bands_b, bands_out   1..16 each; what the product has beyond bands_out is left out
+ *   a, b, out                     [bands_a^2], [bands_b^2], [bands_out^2]; out is a or b (of its size), or apart from both
+ * Error:  16 eps |a| |b| to 6 bands, 40 eps to 16.
+ * Source: MP21 Eq. 5, summed over a grid on which it is exact: Gauss nodes in z and Fourier series in azimuth, O(bands^3)
+ *         against O(bands^5) of the table of real Gaunt coefficients, and no table. */
+SH_API int SHI_FN(sh_triple_product_bands)(int bands_a, const SHI_T *a, int bands_b, const SHI_T *b, int bands_out, SHI_T *out)
 {
     return SHI_FN(shi_products)(bands_a, bands_b, bands_out, 1, a, b, out);
 }
 
-/* out = a times b, all with the same bands 1..16; the rest as sh_triple_product_bands. */
+/* out = a times b, all [N] with the same bands 1..16; the rest as sh_triple_product_bands. */
 SH_API int SHI_FN(sh_triple_product)(int bands, const SHI_T *a, const SHI_T *b, SHI_T *out)
 {
     return SHI_FN(shi_products)(bands, bands, bands, 1, a, b, out);
 }
 
-/* The same, count times: a, b, out [count][bands^2]. */
+/* The same, count times: a, b, out [count][N]. */
 SH_API int SHI_FN(sh_triple_product_n)(int bands, size_t count, const SHI_T *a, const SHI_T *b, SHI_T *out)
 {
     return SHI_FN(shi_products)(bands, bands, bands, count, a, b, out);
@@ -1800,7 +1803,8 @@ SH_API int SHI_FN(sh_cosine_product_blocks)(int bands, size_t blocks, const SHI_
     return SHI_FN(shi_cosine)(bands, 0, shi_block_items(blocks), normals, coeffs, out);
 }
 
-/* Irradiance from any cosine-weighted product T: the double product is 2 sqrt(pi) T_00 (MP21 Eq. 9). */
+/* Irradiance, the integral over the sphere, from a cosine-weighted product T of any bands: 2 sqrt(pi) T_00 (MP21 Eq. 9), the
+ * first of product[N] times a constant. */
 SH_API int SHI_FN(sh_diffuse_from_product)(const SHI_T *product, SHI_T *irradiance)
 {
     if (!product || !irradiance) return SH_ERROR_NULL;
@@ -1808,9 +1812,11 @@ SH_API int SHI_FN(sh_diffuse_from_product)(const SHI_T *product, SHI_T *irradian
     return SH_OK;
 }
 
-/* ---- zonal lobes: zh[l] is the coefficient (l, 0) of a function of the angle to +z; bands to 32 -------- */
+/* ---- zonal lobes: zh[l] is the coefficient (l, 0) of a function of the angle to +z ---- */
 
-/* max(0, cos): irradiance when light is convolved with it. */
+/* max(0, cos): irradiance when light is convolved with it. zh [bands], bands 1..32.
+ * Error:  8 eps of each.
+ * Source: RH01. */
 SH_API int SHI_FN(sh_zonal_cosine)(int bands, SHI_T *zh)
 {
     double z[SH_MAX_BANDS];
@@ -1822,7 +1828,9 @@ SH_API int SHI_FN(sh_zonal_cosine)(int bands, SHI_T *zh)
     return SH_OK;
 }
 
-/* Phong: (s+1)/(2 pi) max(0, cos)^s, integral 1. s from 0; negative or NaN is SH_ERROR_OPTION. */
+/* Phong: (s+1)/(2 pi) max(0, cos)^s, integral 1 over the sphere. zh [bands], bands 1..32.
+ *   s   0 or more; negative or not finite: SH_ERROR_OPTION
+ * Error:  8 eps M_l. */
 SH_API int SHI_FN(sh_zonal_phong)(int bands, SHI_T s, SHI_T *zh)
 {
     double z[SH_MAX_BANDS];
@@ -1835,11 +1843,12 @@ SH_API int SHI_FN(sh_zonal_phong)(int bands, SHI_T s, SHI_T *zh)
     return SH_OK;
 }
 
-/* GGX: the density of the mirrored direction when microfacet normals are GGX-distributed and the view is
- * along the normal, D(theta/2; alpha)/4, integral 1 over the sphere. alpha = roughness squared, 0 (a
- * mirror: the delta) to 1 (constant); outside is SH_ERROR_OPTION. No table and no fit: the lobe is 1/(p -
- * z)^2 up to scale, whose coefficients are Legendre functions of the second kind. How far it is from GGX
- * at other views: docs/products.md. Error 16 eps zh[0] sqrt(2l+1). */
+/* GGX: the density of the mirrored direction when microfacet normals are GGX-distributed and the view is along the normal,
+ * D(theta/2; alpha)/4, integral 1 over the sphere. zh [bands], bands 1..32.
+ *   alpha   roughness squared, 0 (a mirror: the delta) to 1 (constant); outside is SH_ERROR_OPTION
+ * No table and no fit: the lobe is 1/(p - z)^2 up to scale, whose coefficients are Legendre functions of the second kind. How
+ * far it is from GGX at other views: docs/products.md.
+ * Error:  16 eps M_l. */
 SH_API int SHI_FN(sh_zonal_ggx)(int bands, SHI_T alpha, SHI_T *zh)
 {
     double z[SH_MAX_BANDS];
@@ -1852,9 +1861,13 @@ SH_API int SHI_FN(sh_zonal_ggx)(int bands, SHI_T alpha, SHI_T *zh)
     return SH_OK;
 }
 
-/* ---- shading ------------------------------------------------------------------------------------------- */
+/* ---- shading ---- */
 
-/* Multiply band l by factors[l]. in, out [bands^2], the same array or apart; bands to 32. */
+/* Multiply band l by factors[l].
+ *   bands     1..32
+ *   factors   [bands], apart from out
+ *   in, out   [N], the same array or apart
+ * Error:  one rounding. */
 SH_API int SHI_FN(sh_scale_bands)(int bands, const SHI_T *factors, const SHI_T *in, SHI_T *out)
 {
     const int status = SHI_FN(shi_check_vectors)(bands, SH_MAX_BANDS, 1, in, out);
@@ -1868,9 +1881,12 @@ SH_API int SHI_FN(sh_scale_bands)(int bands, const SHI_T *factors, const SHI_T *
     return SH_OK;
 }
 
-/* Convolve with a zonal lobe: out(n) is the integral of lobe(angle(n, u)) f(u). With sh_zonal_cosine:
- * irradiance. in, out [bands^2], the same array or apart; zh [bands]; bands to 32. Error 2 eps of each
- * coefficient. */
+/* Convolve with a zonal lobe: out(n) is the integral of lobe(angle(n, u)) f(u). With sh_zonal_cosine: irradiance.
+ *   bands     1..32
+ *   zh        [bands]
+ *   in, out   [N], the same array or apart
+ * Error:  2 eps of each coefficient.
+ * Source: RH01. */
 SH_API int SHI_FN(sh_convolve)(int bands, const SHI_T *zh, const SHI_T *in, SHI_T *out)
 {
     SHI_T factors[SH_MAX_BANDS];
@@ -1882,15 +1898,14 @@ SH_API int SHI_FN(sh_convolve)(int bands, const SHI_T *zh, const SHI_T *in, SHI_
 }
 
 /* Irradiance at normals from one radiance vector: the exact cosine convolution.
- *
- *   coeffs      [bands^2]
- *   normals     [count][3], any length from 1e-18 to 1e18 (double 1e-150 to 1e150); they are normalised
- *   irradiance  [count]; divide by pi and multiply by the albedo for the radiance that leaves
- *
- * Bands to 32. A bad normal leaves its own output untouched and the call returns its status. Error 16 eps |coeffs| to
- * 6 bands, 40 eps to 16, beyond that of sh_reconstruct. Source: RH01. */
-SH_API int SHI_FN(sh_diffuse_n)(int bands, const SHI_T *coeffs, size_t count, const SHI_T *normals,
-                                SHI_T *irradiance)
+ *   bands        1..32
+ *   coeffs       [N]
+ *   normals      [count][3], any length from 1e-18 to 1e18 (double 1e-150 to 1e150); they are normalised
+ *   irradiance   [count]; divide by pi and multiply by the albedo for the radiance that leaves
+ * A bad normal leaves its own output untouched and the call returns its status.
+ * Error:  16 eps |coeffs| to 6 bands, 40 eps to 16, beyond that of sh_reconstruct.
+ * Source: RH01. */
+SH_API int SHI_FN(sh_diffuse_n)(int bands, const SHI_T *coeffs, size_t count, const SHI_T *normals, SHI_T *irradiance)
 {
     SHI_T zh[SH_MAX_BANDS], c[SH_MAX_BANDS * SH_MAX_BANDS];
     if (bands < 1 || bands > SH_MAX_BANDS) return SH_ERROR_BANDS;
@@ -1903,17 +1918,20 @@ SH_API int SHI_FN(sh_diffuse_n)(int bands, const SHI_T *coeffs, size_t count, co
     return SHI_FN(sh_reconstruct_n)(bands, c, count, normals, irradiance, NULL);
 }
 
-/* One normal. */
+/* One normal: irradiance [1]. */
 SH_API int SHI_FN(sh_diffuse)(int bands, const SHI_T normal[3], const SHI_T *coeffs, SHI_T *irradiance)
 {
     return SHI_FN(sh_diffuse_n)(bands, coeffs, 1, normal, irradiance);
 }
 
-/* The product with a cosine cut to zonal_bands (3 holds most of its energy, bands is MP21's full Eq. 10):
- * what others compute, for comparison. sh_cosine_product is both faster and exact. Error as
- * sh_triple_product. */
-SH_API int SHI_FN(sh_cosine_product_zonal)(int bands, int zonal_bands, const SHI_T normal[3],
-                                           const SHI_T *coeffs, SHI_T *out)
+/* The product with a cosine cut to a few bands: what others compute, for comparison. sh_cosine_product is both faster and exact.
+ *   bands         1..16
+ *   zonal_bands   1..16 of the cosine: 3 hold most of its energy, `bands` of them are MP21's full Eq. 10
+ *   normal        as in sh_cosine_product
+ *   coeffs, out   [N], the same array or apart
+ * Error:  as sh_triple_product.
+ * Source: MP21 Eq. 10. */
+SH_API int SHI_FN(sh_cosine_product_zonal)(int bands, int zonal_bands, const SHI_T normal[3], const SHI_T *coeffs, SHI_T *out)
 {
     SHI_T zh[SH_PRODUCT_BANDS], cosine[SH_PRODUCT_BANDS * SH_PRODUCT_BANDS];
     int status;
@@ -1928,15 +1946,15 @@ SH_API int SHI_FN(sh_cosine_product_zonal)(int bands, int zonal_bands, const SHI
     return SHI_FN(shi_products)(bands, zonal_bands, bands, 1, coeffs, cosine, out);
 }
 
-/* ---- other systems ------------------------------------------------------------------------------------- */
+/* ---- other systems ---- */
 
 /* Our coefficients as another system keeps them, one channel: docs/conventions.md says what each number is.
- *
- *   ours     [bands^2]
- *   theirs   [sh_convention_size(convention, bands)], apart from ours
- *
- * Exact where the systems differ in order, sign and axes; else each number is within one eps, also there and back.
- * Forms that mix coefficients (unity-packed, babylon-polynomial): within 8 eps of the largest of them. */
+ *   convention   from sh_convention
+ *   bands        1 to what the system has
+ *   ours         [N]
+ *   theirs       [sh_convention_size(convention, bands)], apart from ours
+ * Error:  none where the systems differ in order, sign and axes; else each number is within one eps, also there and back.
+ *         Forms that mix coefficients (unity-packed, babylon-polynomial): within 8 eps of the largest of them. */
 SH_API int SHI_FN(sh_convert_to)(int convention, int bands, const SHI_T *ours, SHI_T *theirs)
 {
     const shi_convention *c = shi_find_convention(convention);
@@ -1951,7 +1969,7 @@ SH_API int SHI_FN(sh_convert_to)(int convention, int bands, const SHI_T *ours, S
     for (l = 0; l < bands; l++)
         for (m = -l; m <= l; m++) {
             const SHI_T v = (SHI_T)(shi_convention_factor(c, l, m) * (double)ours[l * (l + 1) + m]);
-            if (c->order == SHI_ORDER_COMPLEX) {      /* a_m = (c_m - i c_-m)/sqrt 2, a_-m = (-1)^m its conjugate */
+            if (c->order == SHI_ORDER_COMPLEX) {    /* a_m = (c_m - i c_-m)/sqrt 2, a_-m = (-1)^m its conjugate */
                 const int i = 2 * (l * (l + 1) + (m < 0 ? -m : m)), j = 2 * (l * (l + 1) - (m < 0 ? -m : m));
                 const SHI_T flipped = m & 1 ? -v : v;
                 if (m >= 0) { theirs[j] = flipped; theirs[i] = v; }
@@ -1961,12 +1979,12 @@ SH_API int SHI_FN(sh_convert_to)(int convention, int bands, const SHI_T *ours, S
                 theirs[shi_convention_place(c, bands, l, m)] = conjugate ? -v : v;
             }
         }
-    if (c->order == SHI_ORDER_PACKED) {               /* SHA xyzw, SHB xyzw, SHC */
+    if (c->order == SHI_ORDER_PACKED) {             /* SHA xyzw, SHB xyzw, SHC */
         SHI_T t[9];
         memcpy(t, theirs, sizeof t);
         theirs[0] = t[3]; theirs[1] = t[1]; theirs[2] = t[2]; theirs[3] = t[0] - t[6];
         theirs[4] = t[4]; theirs[5] = t[5]; theirs[6] = 3 * t[6]; theirs[7] = t[7]; theirs[8] = t[8];
-    } else if (c->order == SHI_ORDER_MONOMIALS) {     /* x y z xx yy zz yz zx xy */
+    } else if (c->order == SHI_ORDER_MONOMIALS) {   /* x y z xx yy zz yz zx xy */
         SHI_T t[9];
         memcpy(t, theirs, sizeof t);
         theirs[0] = t[3]; theirs[1] = t[1]; theirs[2] = t[2];
@@ -2014,32 +2032,33 @@ SH_API int SHI_FN(sh_convert_from)(int convention, int bands, const SHI_T *their
 SH_API int SHI_FN(sh_convert_direction_to)(int convention, const SHI_T ours[3], SHI_T theirs[3])
 {
     const shi_convention *c = shi_find_convention(convention);
+    SHI_T x, y, z;
+
     if (!c) return SH_ERROR_OPTION;
     if (!ours || !theirs) return SH_ERROR_NULL;
-    {
-        const SHI_T x = ours[0], y = ours[1], z = ours[2];
-        theirs[0] = c->polar == 1 ? y : x;
-        theirs[1] = c->polar == 1 ? z : y;
-        theirs[2] = c->polar == 1 ? x : z;
-    }
+    x = ours[0]; y = ours[1]; z = ours[2];
+    theirs[0] = c->polar == 1 ? y : x;
+    theirs[1] = c->polar == 1 ? z : y;
+    theirs[2] = c->polar == 1 ? x : z;
     return SH_OK;
 }
 
+/* The way back. */
 SH_API int SHI_FN(sh_convert_direction_from)(int convention, const SHI_T theirs[3], SHI_T ours[3])
 {
     const shi_convention *c = shi_find_convention(convention);
+    SHI_T x, y, z;
+
     if (!c) return SH_ERROR_OPTION;
     if (!ours || !theirs) return SH_ERROR_NULL;
-    {
-        const SHI_T x = theirs[0], y = theirs[1], z = theirs[2];
-        ours[0] = c->polar == 1 ? z : x;
-        ours[1] = c->polar == 1 ? x : y;
-        ours[2] = c->polar == 1 ? y : z;
-    }
+    x = theirs[0]; y = theirs[1]; z = theirs[2];
+    ours[0] = c->polar == 1 ? z : x;
+    ours[1] = c->polar == 1 ? x : y;
+    ours[2] = c->polar == 1 ? y : z;
     return SH_OK;
 }
 
-/* ---- ringing ------------------------------------------------------------------------------------------- */
+/* ---- ringing ---- */
 
 SHI_INLINE void SHI_FN(shi_window_factors)(int kind, int bands, double width, SHI_T *factors)
 {
@@ -2049,10 +2068,10 @@ SHI_INLINE void SHI_FN(shi_window_factors)(int kind, int bands, double width, SH
 
 /* Factors of a window, for sh_scale_bands. SH_HANN, SH_LANCZOS (zero from the width on), SH_GAUSS (the heat kernel of the
  * sphere: the only one of the three that never makes a minimum lower).
- *
- *   width     in bands, positive; it or the kind otherwise: SH_ERROR_OPTION
- *   factors   [bands]; factors[0] is 1. Bands to 32
- *
+ *   kind      one of these three; another one is SH_ERROR_OPTION
+ *   bands     1..32
+ *   width     in bands, positive (else SH_ERROR_OPTION)
+ *   factors   [bands]; factors[0] is 1
  * Error:  2 eps.
  * Source: S08. */
 SH_API int SHI_FN(sh_window)(int kind, int bands, SHI_T width, SHI_T *factors)
@@ -2178,10 +2197,10 @@ SHI_INLINE SHI_T SHI_FN(shi_lowest)(int bands, const SHI_T *c, int negative, SHI
 }
 
 /* Smallest value of sum c_i Y_i on the sphere, and where.
- *
- *   coeffs   [bands^2], bands to 32; of any scale, to 1e27 in float and 1e295 in double
- *   dir      [3], a unit vector, and value: may be NULL
- *
+ *   bands    1..32
+ *   coeffs   [N], of any scale: to 1e27 in float and 1e295 in double
+ *   dir      [3], a unit vector; NULL or apart from value
+ *   value    [1] or NULL
  * Samples 24 bands^2 + 64 points of a spiral and goes downhill from all that have no lower neighbour and lie within a tenth of
  * the range of the lowest: between samples the sum cannot fall further than that (Bernstein's inequality).
  * Error:  40 eps |coeffs| bands/3.5. */
@@ -2221,15 +2240,15 @@ SHI_INLINE int SHI_FN(shi_window_suffices)(int kind, int bands, int channels, do
 }
 
 /* Window a light just enough to make it non-negative: the widest window of a kind, the same for all channels.
- *
- *   in, out    [channels][bands^2], apart; bands to 32
- *   channels   1 .. 65536
- *   width      the width used, in bands, or 0 if none was needed; may be NULL
- *
- * The minimum of the result, as sh_minimum finds it, is not negative; at a width 1e-5 larger it is (Hann
- * and Lanczos, whose minimum is not monotonic in the width: the widest in a scan in steps of 1/16 of the
- * inverse width, then refined). A channel whose mean is not positive cannot be mended: SH_ERROR_OPTION, as
- * is an unknown kind. NaN or Inf in the coefficients is SH_ERROR_NOT_FINITE, and so are sums that leave the numbers' range. */
+ *   kind       as in sh_window
+ *   bands      1..32
+ *   channels   1..65536
+ *   in, out    [channels][N], apart. A channel whose mean is not positive cannot be mended: SH_ERROR_OPTION; NaN or Inf in one,
+ *              or sums that leave the numbers' range, are SH_ERROR_NOT_FINITE
+ *   width      the width used, in bands, or 0 if none was needed; NULL or apart from out
+ * The minimum of the result, as sh_minimum finds it, is not negative; at a width 1e-5 larger it is (Hann and Lanczos, whose
+ * minimum is not monotonic in the width: the widest in a scan in steps of 1/16 of the inverse width, then refined).
+ * Source: S08 for the windows; their width is found here. */
 SH_API int SHI_FN(sh_dering)(int kind, int bands, int channels, const SHI_T *in, SHI_T *out, SHI_T *width)
 {
     double low = 0, high;

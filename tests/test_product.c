@@ -544,8 +544,8 @@ static void F(lobes)(void **state)
         row_check(wc, (long double)zh[l], want, 8 * (long double)EPS * fabsl((long double)zh[l]) + 1e-17L, l);
     }
     for (k = 0; k < 7; k++) {                       /* z = t^2 */
-        F(sh_zonal_phong)(9, powers[k], zh);
-        for (l = 0; l < 9; l++) {
+        F(sh_zonal_phong)(SH_MAX_BANDS, powers[k], zh);
+        for (l = 0; l < SH_MAX_BANDS; l++) {
             long double want = 0, q[3];
             for (i = 0; i < 256; i++) {
                 const long double t = (1 + x[i]) / 2, z = t * t;        /* z^s dz = 2 t^(2s+1) dt */
