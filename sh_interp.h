@@ -142,16 +142,31 @@ SHI_INLINE void shi_stencil_offsets(shi_stencil *s)
 
 #endif /* SH_INTERP_H */
 
+#elif SHI_ROOM == SHI_TABLES /* -------------------------------------------------------------------------------- */
+
+/* A block of queries in their cells. */
+typedef struct {
+    SHI_T h[3];                         /* the cell; 0 along an axis of one node */
+    SHI_T t[3][SH_BLOCK];               /* place in the cell, 0 .. 1 inside */
+    SHI_T rate[3][SH_BLOCK];            /* dt/dpoint */
+    SHI_T lower[3][SH_BLOCK];           /* for 4 taps: 1/2 where the cell has a neighbour below, else 0 ... */
+    SHI_T upper[3][SH_BLOCK];           /* ... and above */
+    size_t first[SH_BLOCK];             /* the number of the data where the cell's first node begins */
+    int neighbours[SH_BLOCK];           /* as in shi_stencil; -1 for a point that is not finite */
+} SHI_FN(shi_cells);
+
 #elif SHI_ROOM == SHI_KERNELS && (SHI_LANES == 1 || defined(SHI_MANY_LANES)) /* -------------------------------- */
 
-/* Weights of the nodes along one axis, lanes are queries: q and d of the value, Q and P - Q above; s of the slope,
- * e of the second derivative. t is the place in the cell, h the cell. They are linear in six polynomials of t: with
- * `rate` = 1/h in place of NULL, those are replaced by their derivatives, and so are the weights.
- * lower, upper: 1/2 where the neighbour exists and 0 where not. */
-SHI_KERNEL void SHI_KN(shi_axis)(int scheme, int taps, SHI_T h, const SHI_T *tp, const SHI_T *rate,
-                                 const SHI_T *lower, const SHI_T *upper, SHI_V *q, SHI_V *d, SHI_V *s, SHI_V *e)
+/* Weights of the nodes along one axis, lanes are queries: q and d of the value, Q and P - Q above; s of the slope, e of the
+ * second derivative. */
+typedef struct { SHI_V q[4], d[4], s[4], e[4]; } SHI_KN(shi_axis_weights);
+
+/* They are linear in six polynomials of the place t in the cell h: with rate = 1/h in place of NULL, those are replaced by
+ * their derivatives, and so are the weights. lower, upper as in shi_cells. */
+SHI_KERNEL void SHI_KN(shi_axis)(int scheme, int taps, SHI_T h, const SHI_T *at, const SHI_T *rate, const SHI_T *lower,
+                                 const SHI_T *upper, SHI_KN(shi_axis_weights) *v)
 {
-    const SHI_V t = SHI_LOAD(tp), u = SHI_C(1) - t, zero = SHI_SPLAT(SHI_C(0));
+    const SHI_V t = SHI_LOAD(at), u = SHI_C(1) - t, zero = SHI_SPLAT(SHI_C(0));
     SHI_V l0 = u, l1 = t, b = t * u, bt = b * t, bu = b * u, skew = b * (u - t);
     int i;
 
@@ -164,105 +179,103 @@ SHI_KERNEL void SHI_KN(shi_axis)(int scheme, int taps, SHI_T h, const SHI_T *tp,
         skew = ((u - t) * (u - t) - SHI_C(2) * b) * r;
         b = (u - t) * r;
     }
-    for (i = 0; i < 4; i++) d[i] = s[i] = e[i] = zero;
-    q[0] = l0;
-    q[1] = l1;
+    for (i = 0; i < 4; i++) v->d[i] = v->s[i] = v->e[i] = zero;
+    v->q[0] = l0;
+    v->q[1] = l1;
     if (scheme == SH_TRILINEAR) return;
     if (scheme == SH_HALF_TAYLOR || scheme == SH_BLENDED_TAYLOR || scheme == SH_BLENDED_TAYLOR2) {
         const SHI_T c = scheme == SH_HALF_TAYLOR ? SHI_C(0.5) : scheme == SH_BLENDED_TAYLOR ? SHI_C(1)
-                      : SHI_C(0.66666666666666667);     /* 2/3 */
-        s[0] = (c * h) * b;
-        s[1] = -s[0];
-        e[0] = (h * h * SHI_C(0.16666666666666667)) * bt;   /* 1/6 */
-        e[1] = (h * h * SHI_C(0.16666666666666667)) * bu;
+                      : SHI_C(0.66666666666666667);         /* 2/3 */
+        const SHI_T sixth = SHI_C(0.16666666666666667);
+        v->s[0] = (c * h) * b;
+        v->s[1] = -v->s[0];
+        v->e[0] = (h * h * sixth) * bt;
+        v->e[1] = (h * h * sixth) * bu;
     } else if (taps < 4) {
         if (scheme == SH_HERMITE_ZERO) {
-            q[0] += skew;
-            q[1] -= skew;
+            v->q[0] += skew;
+            v->q[1] -= skew;
         } else {
-            d[0] = skew;
-            d[1] = -skew;
+            v->d[0] = skew;
+            v->d[1] = -skew;
         }
-        s[0] = h * bu;
-        s[1] = -(h * bt);
+        v->s[0] = h * bu;
+        v->s[1] = -(h * bt);
     } else {    /* Q's slopes: (1 - g) f1 - (1 - 2g) f0 - g f-1, central with g = 1/2, one-sided with 0 */
         const SHI_V g = SHI_LOAD(lower), k = SHI_LOAD(upper);
-        d[0] = g * bu;
-        d[1] = (SHI_C(1) - SHI_C(2) * g) * bu - (SHI_C(1) - k) * bt;
-        d[2] = (SHI_C(1) - SHI_C(2) * k) * bt - (SHI_C(1) - g) * bu;
-        d[3] = k * bt;
-        q[0] = -d[0];
-        q[1] = (l0 + skew) - d[1];
-        q[2] = (l1 - skew) - d[2];
-        q[3] = -d[3];
-        s[1] = h * bu;
-        s[2] = -(h * bt);
+        v->d[0] = g * bu;
+        v->d[1] = (SHI_C(1) - SHI_C(2) * g) * bu - (SHI_C(1) - k) * bt;
+        v->d[2] = (SHI_C(1) - SHI_C(2) * k) * bt - (SHI_C(1) - g) * bu;
+        v->d[3] = k * bt;
+        v->q[0] = -v->d[0];
+        v->q[1] = (l0 + skew) - v->d[1];
+        v->q[2] = (l1 - skew) - v->d[2];
+        v->q[3] = -v->d[3];
+        v->s[1] = h * bu;
+        v->s[2] = -(h * bt);
     }
 }
 
-/* Weights along the three axes. */
-typedef struct { SHI_V q[3][4], d[3][4], s[3][4], e[3][4]; } SHI_KN(shi_axes);
-
-/* A node's weights, for the planes its scheme reads; returns where the next node's go. */
-SHI_KERNEL SHI_T *SHI_KN(shi_node_weights)(const SHI_KN(shi_axes) *v, int planes, const int *taps,
+/* A node's weights, v along the three axes, for the planes its scheme reads; returns where the next node's go. */
+SHI_KERNEL SHI_T *SHI_KN(shi_node_weights)(const SHI_KN(shi_axis_weights) v[3], int planes, const int *taps,
                                            int x, int y, int z, SHI_T *w)
 {
-    const SHI_V qx = v->q[0][x], qy = v->q[1][y], qz = v->q[2][z], qq = qy * qz;
-    const SHI_V sx = v->s[0][x], sy = v->s[1][y], sz = v->s[2][z];
+    const SHI_V qx = v[0].q[x], qy = v[1].q[y], qz = v[2].q[z], qq = qy * qz;
+    const SHI_V sx = v[0].s[x], sy = v[1].s[y], sz = v[2].s[z];
     const SHI_V c = SHI_SPLAT(SHI_C(0.75));         /* of s s: 1/6 of the Hessian's twice xy from 2/3 of slopes */
 
-    SHI_STORE(w, qx * (qq + (v->d[1][y] * qz + qy * v->d[2][z])) + v->d[0][x] * qq); w += SH_BLOCK;
+    SHI_STORE(w, qx * (qq + (v[1].d[y] * qz + qy * v[2].d[z])) + v[0].d[x] * qq); w += SH_BLOCK;
     if (planes == 1) return w;
     if (shi_is_end(taps[0], x)) { SHI_STORE(w, sx * qq); w += SH_BLOCK; }
     if (shi_is_end(taps[1], y)) { SHI_STORE(w, qx * (sy * qz)); w += SH_BLOCK; }
     if (shi_is_end(taps[2], z)) { SHI_STORE(w, qx * (qy * sz)); w += SH_BLOCK; }
     if (planes == 4) return w;
-    SHI_STORE(w,                v->e[0][x] * qq);
+    SHI_STORE(w,                v[0].e[x] * qq);
     SHI_STORE(w + SH_BLOCK,     c * sx * (sy * qz));
     SHI_STORE(w + 2 * SH_BLOCK, c * sx * (qy * sz));
-    SHI_STORE(w + 3 * SH_BLOCK, qx * (v->e[1][y] * qz));
+    SHI_STORE(w + 3 * SH_BLOCK, qx * (v[1].e[y] * qz));
     SHI_STORE(w + 4 * SH_BLOCK, c * qx * (sy * sz));
-    SHI_STORE(w + 5 * SH_BLOCK, qx * (qy * v->e[2][z]));
+    SHI_STORE(w + 5 * SH_BLOCK, qx * (qy * v[2].e[z]));
     return w + 6 * SH_BLOCK;
 }
 
-/* The three axes of one vector of queries: t, rate [3][SH_BLOCK], half [3][2][SH_BLOCK]; along = 0, 1, 2: with the
- * derivative of that axis. */
-SHI_KERNEL void SHI_KN(shi_three)(int scheme, const int *taps, int along, const SHI_T *h, const SHI_T *t,
-                                  const SHI_T *rate, const SHI_T *half, SHI_KN(shi_axes) *v)
+/* The three axes of one vector of queries, from number `lane` of the block on; along = 0, 1, 2: with the derivative of that
+ * axis, -1: none. */
+SHI_KERNEL void SHI_KN(shi_three_axes)(int scheme, const int *taps, int along, const SHI_FN(shi_cells) *c, int lane,
+                                       SHI_KN(shi_axis_weights) v[3])
 {
     int a;
-    SHI_UNROLL for (a = 0; a < 3; a++)
-        SHI_KN(shi_axis)(scheme, taps[a], h[a], t + a * SH_BLOCK, along == a ? rate + a * SH_BLOCK : NULL,
-                         half + 2 * a * SH_BLOCK, half + (2 * a + 1) * SH_BLOCK, v->q[a], v->d[a], v->s[a], v->e[a]);
+    SHI_UNROLL
+    for (a = 0; a < 3; a++)
+        SHI_KN(shi_axis)(scheme, taps[a], c->h[a], c->t[a] + lane, along == a ? c->rate[a] + lane : NULL, c->lower[a] + lane,
+                         c->upper[a] + lane, v + a);
 }
 
-/* Weights of SH_BLOCK queries, w[terms][SH_BLOCK]: of the value, or of its derivative by coordinate `along`. */
-SHI_INLINE void SHI_KN(shi_weights)(const shi_stencil *s, int along, const SHI_T *h, const SHI_T *t,
-                                    const SHI_T *rate, const SHI_T *half, SHI_T *w)
+/* Weights of a block of queries, w[terms][SH_BLOCK]: of the value (along = -1), or of its derivative by coordinate `along`. */
+SHI_INLINE void SHI_KN(shi_weights)(const shi_stencil *s, int along, const SHI_FN(shi_cells) *c, SHI_T *w)
 {
     const int planes = shi_scheme_planes(s->scheme), *taps = s->taps, two[3] = { 2, 2, 2 };
     const int usual = planes == 4 && taps[0] == 2 && taps[1] == 2 && taps[2] == 2;
+    SHI_KN(shi_axis_weights) v[3];
     int lane, x, y, z;
 
     for (lane = 0; usual && lane + SHI_W <= SH_BLOCK; lane += SHI_W) {      /* the loops below, unrolled */
-        SHI_KN(shi_axes) v;
         SHI_T *o = w + lane;
-        SHI_KN(shi_three)(s->scheme, two, along, h, t + lane, rate + lane, half + lane, &v);
-        SHI_UNROLL for (z = 0; z < 2; z++) {
-            o = SHI_KN(shi_node_weights)(&v, 4, two, 0, 0, z, o);
-            o = SHI_KN(shi_node_weights)(&v, 4, two, 1, 0, z, o);
-            o = SHI_KN(shi_node_weights)(&v, 4, two, 0, 1, z, o);
-            o = SHI_KN(shi_node_weights)(&v, 4, two, 1, 1, z, o);
+        SHI_KN(shi_three_axes)(s->scheme, two, along, c, lane, v);
+        SHI_UNROLL
+        for (z = 0; z < 2; z++) {
+            o = SHI_KN(shi_node_weights)(v, 4, two, 0, 0, z, o);
+            o = SHI_KN(shi_node_weights)(v, 4, two, 1, 0, z, o);
+            o = SHI_KN(shi_node_weights)(v, 4, two, 0, 1, z, o);
+            o = SHI_KN(shi_node_weights)(v, 4, two, 1, 1, z, o);
         }
     }
     for (; lane + SHI_W <= SH_BLOCK; lane += SHI_W) {
-        SHI_KN(shi_axes) v;
         SHI_T *o = w + lane;
-        SHI_KN(shi_three)(s->scheme, taps, along, h, t + lane, rate + lane, half + lane, &v);
+        SHI_KN(shi_three_axes)(s->scheme, taps, along, c, lane, v);
         for (z = 0; z < taps[2]; z++)
             for (y = 0; y < taps[1]; y++)
-                for (x = 0; x < taps[0]; x++) o = SHI_KN(shi_node_weights)(&v, planes, taps, x, y, z, o);
+                for (x = 0; x < taps[0]; x++) o = SHI_KN(shi_node_weights)(v, planes, taps, x, y, z, o);
         for (; o < w + s->terms * SH_BLOCK; o += SH_BLOCK) SHI_STORE(o, SHI_SPLAT(SHI_C(0)));
     }
 }
@@ -278,12 +291,14 @@ SHI_KERNEL void SHI_KN(shi_list)(const int vectors, size_t last, size_t terms, c
     size_t k;
     int v;
 
-    SHI_UNROLL for (v = 0; v < vectors; v++) sum[v] = SHI_SPLAT(SHI_C(0));
+    SHI_UNROLL
+    for (v = 0; v < vectors; v++) sum[v] = SHI_SPLAT(SHI_C(0));
     for (k = 0; k < terms; k += 4, offset += 4, w += 4 * SH_BLOCK) {
         const SHI_T *a = from + offset[0], *b = from + offset[1], *c = from + offset[2], *d = from + offset[3];
         const SHI_V wa = SHI_SPLAT(w[0]), wb = SHI_SPLAT(w[SH_BLOCK]);
         const SHI_V wc = SHI_SPLAT(w[2 * SH_BLOCK]), wd = SHI_SPLAT(w[3 * SH_BLOCK]);
-        SHI_UNROLL for (v = 0; v < vectors; v++)
+        SHI_UNROLL
+        for (v = 0; v < vectors; v++)
             sum[v] += wa * SHI_LOAD(a + SHI_AT(v)) + wb * SHI_LOAD(b + SHI_AT(v))
                     + wc * SHI_LOAD(c + SHI_AT(v)) + wd * SHI_LOAD(d + SHI_AT(v));
     }
@@ -295,7 +310,8 @@ SHI_KERNEL void SHI_KN(shi_list_store)(const int vectors, size_t last, size_t te
     SHI_V sum[8];
     int v;
     SHI_KN(shi_list)(vectors, last, terms, offset, w, from, sum);
-    SHI_UNROLL for (v = 0; v < vectors; v++) SHI_STORE(out + SHI_AT(v), sum[v]);
+    SHI_UNROLL
+    for (v = 0; v < vectors; v++) SHI_STORE(out + SHI_AT(v), sum[v]);
 }
 
 /* *dot += the sums times the transfer; `tail` is the transfer of the last vector, 0 where it overlaps. */
@@ -306,20 +322,22 @@ SHI_KERNEL void SHI_KN(shi_list_dot)(const int vectors, size_t last, size_t term
     SHI_V sum[8];
     int v;
     SHI_KN(shi_list)(vectors, last, terms, offset, w, from, sum);
-    SHI_UNROLL for (v = 0; v < vectors; v++) *dot += sum[v] * SHI_LOAD(v + 1 < vectors ? transfer + v * SHI_W : tail);
+    SHI_UNROLL
+    for (v = 0; v < vectors; v++) *dot += sum[v] * SHI_LOAD(v + 1 < vectors ? transfer + v * SHI_W : tail);
 }
 
 /* n coefficients of the list, up to 8 vectors at a time. 0, with nothing done, if a vector holds more than n. */
 #if SHI_LANES == 1 && SH_VECTOR_BYTES       /* what a register is too wide for: one coefficient, or four */
 #define SHI_PASS(left) ((left) < 4 ? 1 : 4)
-#define SHI_CASES(name, args) if (now == 4) SHI_KN(name) args(4); else SHI_KN(name) args(1);
+#define SHI_VECTORS(now, list, ...) if (now == 4) list(4, __VA_ARGS__); else list(1, __VA_ARGS__);
 #else
 #define SHI_PASS(left) ((left) <= 8 ? (left) : (left) < 16 ? ((left) + 1) / 2 : 8)
-#define SHI_CASES(name, args) switch (now) { \
-    case 1: SHI_KN(name) args(1); break;  case 2: SHI_KN(name) args(2); break; \
-    case 3: SHI_KN(name) args(3); break;  case 4: SHI_KN(name) args(4); break; \
-    case 5: SHI_KN(name) args(5); break;  case 6: SHI_KN(name) args(6); break; \
-    case 7: SHI_KN(name) args(7); break;  default: SHI_KN(name) args(8); break; }
+#define SHI_VECTORS(now, list, ...) \
+    switch (now) { \
+    case 1: list(1, __VA_ARGS__); break;  case 2: list(2, __VA_ARGS__); break;  case 3: list(3, __VA_ARGS__); break; \
+    case 4: list(4, __VA_ARGS__); break;  case 5: list(5, __VA_ARGS__); break;  case 6: list(6, __VA_ARGS__); break; \
+    case 7: list(7, __VA_ARGS__); break;  default: list(8, __VA_ARGS__); break; \
+    }
 #endif
 
 SHI_INLINE int SHI_KN(shi_gather)(size_t n, size_t terms, const ptrdiff_t *offset, const SHI_T *w,
@@ -331,9 +349,7 @@ SHI_INLINE int SHI_KN(shi_gather)(size_t n, size_t terms, const ptrdiff_t *offse
     if (n < lanes) return 0;
     for (; left; left -= now, n -= now * lanes, from += now * lanes, out += now * lanes) {
         const size_t last = (now = SHI_PASS(left)) == left ? n - lanes : (now - 1) * lanes;
-#define SHI_ARGS(c) (c, last, terms, offset, w, from, out)
-        SHI_CASES(shi_list_store, SHI_ARGS)
-#undef SHI_ARGS
+        SHI_VECTORS(now, SHI_KN(shi_list_store), last, terms, offset, w, from, out)
     }
     return 1;
 }
@@ -354,14 +370,12 @@ SHI_INLINE int SHI_KN(shi_gather_dot)(size_t n, size_t terms, const ptrdiff_t *o
     for (; left; left -= now, n -= now * lanes, from += now * lanes, transfer += now * lanes) {
         const size_t last = (now = SHI_PASS(left)) == left ? n - lanes : (now - 1) * lanes;
         const SHI_T *const tail = now == left ? end : transfer + last;
-#define SHI_ARGS(c) (c, last, terms, offset, w, from, transfer, tail, &dot)
-        SHI_CASES(shi_list_dot, SHI_ARGS)
-#undef SHI_ARGS
+        SHI_VECTORS(now, SHI_KN(shi_list_dot), last, terms, offset, w, from, transfer, tail, &dot)
     }
     *value = SHI_SUM(dot);
     return 1;
 }
-#undef SHI_CASES
+#undef SHI_VECTORS
 #undef SHI_PASS
 #undef SHI_AT
 
@@ -444,60 +458,75 @@ SHI_INLINE void SHI_FN(shi_gather_dot)(size_t n, size_t terms, const ptrdiff_t *
     SHI_ONE(shi_gather_dot)(n, terms, offset, w, from, transfer, value);
 }
 
-/* Queries in blocks of SH_BLOCK: their cells, then their weights in lanes, then one list each. */
-SHI_INLINE int SHI_FN(shi_grid_queries)(const SHI_FN(shi_query) *c, shi_stencil *s)
+/* The axes as the queries see them. */
+SHI_INLINE void SHI_FN(shi_ranges)(const SHI_FN(shi_query) *c, SHI_FN(shi_range) range[3])
 {
-    const size_t channels = (size_t)c->channels, planes_out = (size_t)c->planes_out;
     const SHI_T reach = c->outside == SH_EXTRAPOLATE ? SHI_C(SHI_REACH) : 0;
-    SHI_T h[3], t[3 * SH_BLOCK], rate[3 * SH_BLOCK], half[6 * SH_BLOCK], w[SHI_TERMS * SH_BLOCK];
-    SHI_FN(shi_range) range[3];
-    size_t first[SH_BLOCK], done, q, left, channel, p;
-    int neighbours[SH_BLOCK], a, status = SH_OK;
+    int a;
 
-    memset(range, 0, sizeof range);
-    memset(h, 0, sizeof h);
+    memset(range, 0, 3 * sizeof *range);
     for (a = 0; a < 3; a++)
         if (c->grid->count[a] > 1) {
-            h[a] = c->grid->cell[a];
             range[a].origin = c->grid->origin[a];
-            range[a].inverse = 1 / h[a];
+            range[a].inverse = 1 / c->grid->cell[a];
             range[a].low = -reach;
             range[a].high = (SHI_T)(c->grid->count[a] - 1) + reach;
             range[a].top = (SHI_T)(c->grid->count[a] - 2);
         }
-    memset(t, 0, sizeof t);
-    memset(rate, 0, sizeof rate);
-    memset(half, 0, sizeof half);
-    for (done = 0; done < c->count; done += left) {
-        left = c->count - done < (size_t)SH_BLOCK ? c->count - done : (size_t)SH_BLOCK;
-        for (q = 0; q < left; q++) {
-            const SHI_T *point = c->points + 3 * (done + q);
-            neighbours[q] = 0;
-            first[q] = 0;
-            if (!SHI_FN(shi_finite)(point, 3)) {
-                status = SH_ERROR_NOT_FINITE;
-                neighbours[q] = -1;
-                continue;
-            }
-            for (a = 0; a < 3; a++) {
-                const size_t at = (size_t)a * SH_BLOCK + q;
-                const size_t i = SHI_FN(shi_locate)(&range[a], point[a], &t[at], &rate[at]);
-                first[q] += s->step[a] * i;
-                if (s->taps[a] == 4) {
-                    const int lower = i > 0, upper = i + 2 < (size_t)c->grid->count[a];
-                    neighbours[q] |= lower << 2 * a | upper << (2 * a + 1);
-                    half[at + (size_t)a * SH_BLOCK] = lower ? SHI_C(0.5) : 0;
-                    half[at + (size_t)(a + 1) * SH_BLOCK] = upper ? SHI_C(0.5) : 0;
-                }
+}
+
+/* The cells of `count` queries, at most SH_BLOCK; SH_ERROR_NOT_FINITE if one of the points is not. */
+SHI_INLINE int SHI_FN(shi_locate_block)(const SHI_FN(shi_query) *c, const shi_stencil *s, const SHI_FN(shi_range) range[3],
+                                        const SHI_T *points, size_t count, SHI_FN(shi_cells) *cells)
+{
+    int a, status = SH_OK;
+    size_t q;
+
+    for (q = 0; q < count; q++, points += 3) {
+        cells->first[q] = 0;
+        cells->neighbours[q] = 0;
+        if (!SHI_FN(shi_finite)(points, 3)) {
+            status = SH_ERROR_NOT_FINITE;
+            cells->neighbours[q] = -1;
+            continue;
+        }
+        for (a = 0; a < 3; a++) {
+            const size_t i = SHI_FN(shi_locate)(&range[a], points[a], &cells->t[a][q], &cells->rate[a][q]);
+            cells->first[q] += s->step[a] * i;
+            if (s->taps[a] == 4) {
+                const int lower = i > 0, upper = i + 2 < (size_t)c->grid->count[a];
+                cells->neighbours[q] |= lower << 2 * a | upper << (2 * a + 1);
+                cells->lower[a][q] = lower ? SHI_C(0.5) : 0;
+                cells->upper[a][q] = upper ? SHI_C(0.5) : 0;
             }
         }
+    }
+    return status;
+}
+
+/* Queries in blocks of SH_BLOCK: their cells, then their weights in lanes, then one list each. */
+SHI_INLINE int SHI_FN(shi_grid_queries)(const SHI_FN(shi_query) *c, shi_stencil *s)
+{
+    const size_t channels = (size_t)c->channels, planes_out = (size_t)c->planes_out;
+    SHI_T w[SHI_TERMS * SH_BLOCK];
+    SHI_FN(shi_range) range[3];
+    SHI_FN(shi_cells) cells;
+    size_t done, q, left, channel, p;
+    int a, status = SH_OK;
+
+    SHI_FN(shi_ranges)(c, range);
+    memset(&cells, 0, sizeof cells);
+    for (a = 0; a < 3; a++) cells.h[a] = c->grid->count[a] > 1 ? c->grid->cell[a] : 0;
+    for (done = 0; done < c->count; done += left) {
+        left = c->count - done < (size_t)SH_BLOCK ? c->count - done : (size_t)SH_BLOCK;
+        if (SHI_FN(shi_locate_block)(c, s, range, c->points + 3 * done, left, &cells) != SH_OK) status = SH_ERROR_NOT_FINITE;
         for (p = 0; p < planes_out; p++) {
-            SHI_MANY(shi_weights)(s, (int)p - 1, h, t, rate, half, w);
+            SHI_MANY(shi_weights)(s, (int)p - 1, &cells, w);
             for (q = 0; q < left; q++) {
-                const SHI_T *from = c->nodes + first[q];
-                if (neighbours[q] < 0) continue;
-                if (neighbours[q] != s->neighbours) {
-                    s->neighbours = neighbours[q];
+                const SHI_T *from = c->nodes + cells.first[q];
+                if (cells.neighbours[q] < 0) continue;
+                if (cells.neighbours[q] != s->neighbours) {
+                    s->neighbours = cells.neighbours[q];
                     shi_stencil_offsets(s);
                 }
                 for (channel = 0; channel < channels; channel++, from += s->n * (size_t)c->planes) {
@@ -506,8 +535,7 @@ SHI_INLINE int SHI_FN(shi_grid_queries)(const SHI_FN(shi_query) *c, shi_stencil 
                         SHI_FN(shi_gather_dot)(s->n, s->terms, s->offset, w + q, from,
                                                c->transfers + (done + q) * s->n, c->out + item);
                     else
-                        SHI_FN(shi_gather)(s->n, s->terms, s->offset, w + q, from,
-                                           c->out + (item * planes_out + p) * s->n);
+                        SHI_FN(shi_gather)(s->n, s->terms, s->offset, w + q, from, c->out + (item * planes_out + p) * s->n);
                 }
             }
         }
