@@ -95,8 +95,7 @@ SHI_INLINE int shi_is_end(int taps, int tap) { return taps < 4 || tap == 1 || ta
 
 /* The offsets, in the order in which the kernel below writes the weights. A neighbour that does not exist has
  * weight 0 and the offset of the cell's end. */
-SHI_KERNEL size_t shi_stencil_list(int planes, int tx, int ty, int tz, ptrdiff_t n, ptrdiff_t at[3][4],
-                                   ptrdiff_t *offset)
+SHI_KERNEL size_t shi_stencil_list(int planes, int tx, int ty, int tz, ptrdiff_t n, ptrdiff_t at[3][4], ptrdiff_t *offset)
 {
     size_t k = 0;
     int x, y, z, p;
@@ -116,6 +115,7 @@ SHI_KERNEL size_t shi_stencil_list(int planes, int tx, int ty, int tz, ptrdiff_t
     return k;
 }
 
+/* Fills in the list of a stencil whose other members are set; again whenever its neighbours change. */
 SHI_INLINE void shi_stencil_offsets(shi_stencil *s)
 {
     const int planes = shi_scheme_planes(s->scheme), *taps = s->taps;
@@ -304,6 +304,7 @@ SHI_KERNEL void SHI_KN(shi_list)(const int vectors, size_t last, size_t terms, c
     }
 }
 
+/* ... stored at out[n] */
 SHI_KERNEL void SHI_KN(shi_list_store)(const int vectors, size_t last, size_t terms, const ptrdiff_t *offset,
                                        const SHI_T *w, const SHI_T *from, SHI_T *out)
 {
@@ -326,7 +327,8 @@ SHI_KERNEL void SHI_KN(shi_list_dot)(const int vectors, size_t last, size_t term
     for (v = 0; v < vectors; v++) *dot += sum[v] * SHI_LOAD(v + 1 < vectors ? transfer + v * SHI_W : tail);
 }
 
-/* n coefficients of the list, up to 8 vectors at a time. 0, with nothing done, if a vector holds more than n. */
+/* How many vectors to sum at a time of those left, and a list for that number: up to 8, as many accumulators as hide an
+ * addition's latency and fit in registers. */
 #if SHI_LANES == 1 && SH_VECTOR_BYTES       /* what a register is too wide for: one coefficient, or four */
 #define SHI_PASS(left) ((left) < 4 ? 1 : 4)
 #define SHI_VECTORS(now, list, ...) if (now == 4) list(4, __VA_ARGS__); else list(1, __VA_ARGS__);
@@ -340,6 +342,7 @@ SHI_KERNEL void SHI_KN(shi_list_dot)(const int vectors, size_t last, size_t term
     }
 #endif
 
+/* n coefficients of the list. 0, with nothing done, if a vector holds more than n. */
 SHI_INLINE int SHI_KN(shi_gather)(size_t n, size_t terms, const ptrdiff_t *offset, const SHI_T *w,
                                   const SHI_T *from, SHI_T *out)
 {
@@ -395,7 +398,7 @@ typedef struct {
  * 0 .. top. An axis of one node has low = high = top = inverse = 0. */
 typedef struct { SHI_T origin, inverse, low, high, top; } SHI_FN(shi_range);
 
-/* Checks what a grid call is given, O(1), and prepares its stencil. */
+/* Checks what a call is given beside its points, O(1), and prepares its stencil. */
 SHI_INLINE int SHI_FN(shi_grid_stencil)(const SHI_FN(shi_query) *c, shi_stencil *s)
 {
     const SHI_FN(sh_grid) *g = c->grid;
@@ -543,6 +546,7 @@ SHI_INLINE int SHI_FN(shi_grid_queries)(const SHI_FN(shi_query) *c, shi_stencil 
     return status;
 }
 
+/* Checks and answers a call on a grid. */
 SHI_NOINLINE int SHI_FN(shi_grid_call)(const SHI_FN(shi_query) *c)
 {
     const size_t channels = (size_t)c->channels;
@@ -561,16 +565,17 @@ SHI_NOINLINE int SHI_FN(shi_grid_call)(const SHI_FN(shi_query) *c)
 }
 
 /* Coefficients at many points, out of the grid's nodes.
+ *   bands      1..32
  *   planes     SH_VALUES, SH_GRADIENT or SH_HESSIAN: what the nodes store; at least what the scheme reads
  *   channels   >= 1
+ *   grid       origin, cell and nodes per axis. An axis of one node is constant: its origin and cell need only be finite. Other
+ *              cells are 1e-18 .. 1e18, no axis has more than 2^24 nodes
  *   nodes      [nodes][channels][planes][N], the layout of sh_spheres_grid
  *   scheme     enum sh_scheme
  *   outside    SH_CLAMP: a point outside of the grid gets the coefficients of the nearest point inside;
  *              SH_EXTRAPOLATE: the border cell's polynomial, up to 1024 cells out and clamped there
  *   points     [count][3], any finite points
  *   coeffs     [count][channels][N], overlapping no input
- * An axis of one node is constant: its origin and cell need only be finite. Other cells are 1e-18 .. 1e18, no axis
- * has more than 2^24 nodes.
  * Status SH_ERROR_NOT_FINITE: a point is not, its outputs are untouched, those of the others are written.
  * NaN among the coefficients of a node comes out of every query that reads the node.
  * Error:  <= 8 eps of the largest |value|, cell |slope|, cell^2 |Hessian| read (worst seen 2.2, SH_HERMITE_MIXED),
@@ -595,10 +600,11 @@ SH_API int SHI_FN(sh_grid_interp)(int bands, int planes, int channels, const SHI
 
 /* The interpolant with its exact derivatives by the point, in the layout of a node with gradients: a grid resampled
  * is a grid, and a point interpolated is a sample for sh_sample_taylor.
- *   out   [count][channels][4][N]: coefficients (the bits of sh_grid_interp), d/dx, d/dy, d/dz
+ *   out   [count][channels][4][N]: coefficients (the bits of sh_grid_interp), d/dx, d/dy, d/dz; overlapping no input
  * Derivatives across the border of a clamped query are 0, on the border they are those of its cell. At an
  * inner face of a C0 scheme they are those of one of its two cells: which, is a matter of rounding.
- * Error:  <= 16 eps of the largest datum as above, per cell size. */
+ * Error:  <= 16 eps of the largest datum as above, per cell size.
+ * Source: the same sums with the weights' derivatives. */
 SH_API int SHI_FN(sh_grid_gradient_n)(int bands, int planes, int channels, const SHI_FN(sh_grid) *grid,
                                       const SHI_T *nodes, int scheme, int outside, size_t count,
                                       const SHI_T *points, SHI_T *out)
@@ -615,11 +621,11 @@ SH_API int SHI_FN(sh_grid_gradient)(int bands, int planes, int channels, const S
     return SHI_FN(sh_grid_gradient_n)(bands, planes, channels, grid, nodes, scheme, outside, 1, point, out);
 }
 
-/* Dot products of the coefficients at many points, each with its transfer vector (A04 Eq. 3), N coefficients never
- * stored: one transfer for all channels.
- *   transfers   [count][N]
- *   values      [count][channels]
- * Error:  <= 16 eps of the sum of magnitudes, beyond that of the coefficients. */
+/* Dot products of the coefficients at many points, each with its transfer vector, N coefficients never stored.
+ *   transfers   [count][N], one for all channels
+ *   values      [count][channels], overlapping no input
+ * Error:  <= 16 eps of the sum of magnitudes, beyond that of the coefficients.
+ * Source: A04 Eq. 3. */
 SH_API int SHI_FN(sh_grid_dot_n)(int bands, int planes, int channels, const SHI_FN(sh_grid) *grid,
                                  const SHI_T *nodes, int scheme, int outside, size_t count,
                                  const SHI_T *points, const SHI_T *transfers, SHI_T *values)
@@ -639,9 +645,12 @@ SH_API int SHI_FN(sh_grid_dot)(int bands, int planes, int channels, const SHI_FN
 
 /* ---- scattered samples ---- */
 
-/* x^power for 0 <= x <= 1, a distance over a longer one */
-SHI_INLINE SHI_T SHI_FN(shi_falloff)(SHI_T x, SHI_T power)
+/* Weight at distance r relative to that at the distance `nearest`: (nearest/r)^power, 1 where r is no longer. */
+SHI_INLINE SHI_T SHI_FN(shi_falloff)(SHI_T nearest, SHI_T r, SHI_T power)
 {
+    SHI_T x;
+    if (!(r > nearest)) return 1;
+    x = nearest / r;
     return power == 2 ? x * x : (SHI_T)pow((double)x, (double)power);
 }
 
@@ -679,6 +688,7 @@ SHI_INLINE SHI_T SHI_FN(shi_difference)(const SHI_T point[3], const SHI_T sample
     return large * SHI_LIBM(sqrt)(sum);
 }
 
+/* The samples' weights from their distances, and then one list, in parts of at most SHI_TERMS; checks first. */
 SHI_NOINLINE int SHI_FN(shi_samples)(int bands, int planes, int channels, SHI_T power, size_t count,
                                      const SHI_T *samples, const SHI_T *blocks, const SHI_T *point, SHI_T *coeffs)
 {
@@ -703,15 +713,15 @@ SHI_NOINLINE int SHI_FN(shi_samples)(int bands, int planes, int channels, SHI_T 
         if (r < 0) return SH_ERROR_NOT_FINITE;
         /* weights relative to the nearest sample's: 1 for it, at most 1 for the others, whatever the distances */
         if (j == 0 || r < nearest) {
-            total = j && r > 0 ? total * SHI_FN(shi_falloff)(r / nearest, power) : 0;
+            total = j && r > 0 ? total * SHI_FN(shi_falloff)(r, nearest, power) : 0;
             nearest = r;
         }
-        total += r > nearest ? SHI_FN(shi_falloff)(nearest / r, power) : 1;
+        total += SHI_FN(shi_falloff)(nearest, r, power);
     }
     for (done = 0; done < count; done = j) {
         for (j = done, k = 0; j < count && k + (size_t)planes <= SHI_TERMS; j++) {
             const SHI_T r = SHI_FN(shi_difference)(point, samples + 3 * j, d);
-            const SHI_T weight = (r > nearest ? SHI_FN(shi_falloff)(nearest / r, power) : 1) / total;
+            const SHI_T weight = SHI_FN(shi_falloff)(nearest, r, power) / total;
             const ptrdiff_t at = (ptrdiff_t)((j - done) * block);
             k = SHI_FN(shi_taylor_terms)(k, planes, (ptrdiff_t)n, d, weight, at, offset, w);
         }
@@ -731,16 +741,18 @@ SHI_NOINLINE int SHI_FN(shi_samples)(int bands, int planes, int channels, SHI_T 
 
 /* Inverse-distance blend of the Taylor series of scattered samples: sum of w_j (f_j + g_j . d_j + ...), d_j = point -
  * sample j, w_j proportional to 1/|d_j|^power.
+ *   bands     1..32
  *   planes    SH_VALUES, SH_GRADIENT, SH_HESSIAN: the samples' series are of order 0, 1 (A04), 2
+ *   channels  >= 1
  *   power     in (0, 64] (else SH_ERROR_OPTION), A04's b: 2 is the usual one; above 1 the blend has the samples'
  *             gradients at the samples
  *   count     >= 1
  *   samples   [count][3], each coordinate within 1e18 of the point's (else SH_ERROR_NOT_FINITE)
  *   blocks    [count][channels][planes][N]
  *   coeffs    [channels][N], overlapping no input
+ *   point     [3]
  * At a sample the blend is that sample, to the bit (Eq. 16 is 0/0 there), if all data are finite; samples in one place
- * share its weight.
- * Polynomials of the samples' order are reproduced. Cost: count * planes reads of N numbers, so choose few.
+ * share its weight. Polynomials of the samples' order are reproduced. Cost: count * planes reads of N numbers, so choose few.
  * Error:  <= (16 + count/64) eps of the largest |f_j| + |g_j| |d_j| + |H_j| |d_j|^2/2, 2-norms.
  * Source: A04 Eq. 14-16. */
 SH_API int SHI_FN(sh_samples_blend)(int bands, int planes, int channels, SHI_T power, size_t count,
