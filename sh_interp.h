@@ -90,6 +90,12 @@ SHI_INLINE int shi_scheme_planes(int scheme)
          : scheme > SH_TRILINEAR && scheme < SH_BLENDED_TAYLOR2 ? 4 : 0;
 }
 
+/* Value and gradient at the 8 nodes of a cell: what most schemes read, for which loops are unrolled. */
+SHI_INLINE int shi_is_usual(int planes, const int taps[3])
+{
+    return planes == 4 && taps[0] == 2 && taps[1] == 2 && taps[2] == 2;
+}
+
 /* Slopes are taken at the two ends of the cell only. */
 SHI_INLINE int shi_is_end(int taps, int tap) { return taps < 4 || tap == 1 || tap == 2; }
 
@@ -130,10 +136,8 @@ SHI_INLINE void shi_stencil_offsets(shi_stencil *s)
         at[a][2] = step;
         at[a][3] = s->neighbours >> (2 * a + 1) & 1 ? 2 * step : step;
     }
-    if (planes == 4 && taps[0] == 2 && taps[1] == 2 && taps[2] == 2)
-        s->terms = shi_stencil_list(4, 2, 2, 2, n, at, s->offset);
-    else
-        s->terms = shi_stencil_list(planes, taps[0], taps[1], taps[2], n, at, s->offset);
+    s->terms = shi_is_usual(planes, taps) ? shi_stencil_list(4, 2, 2, 2, n, at, s->offset)
+                                          : shi_stencil_list(planes, taps[0], taps[1], taps[2], n, at, s->offset);
 }
 
 #define SHI_FILE SH_INTERP_FILENAME
@@ -255,7 +259,7 @@ SHI_KERNEL void SHI_KN(shi_three_axes)(int scheme, const int *taps, int along, c
 SHI_INLINE void SHI_KN(shi_weights)(const shi_stencil *s, int along, const SHI_FN(shi_cells) *c, SHI_T *w)
 {
     const int planes = shi_scheme_planes(s->scheme), *taps = s->taps, two[3] = { 2, 2, 2 };
-    const int usual = planes == 4 && taps[0] == 2 && taps[1] == 2 && taps[2] == 2;
+    const int usual = shi_is_usual(planes, taps);
     SHI_KN(shi_axis_weights) v[3];
     int lane, x, y, z;
 

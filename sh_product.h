@@ -2086,7 +2086,7 @@ SH_API int SHI_FN(sh_window)(int kind, int bands, SHI_T width, SHI_T *factors)
 /* From u downhill to a local minimum, by Newton's method with halved steps; its value, and where in u. */
 SHI_INLINE SHI_T SHI_FN(shi_descend)(int bands, const SHI_T *c, SHI_T u[3])
 {
-    SHI_T y[10 * SH_MAX_BANDS * SH_MAX_BANDS];             /* the planes of SH_HESSIAN */
+    SHI_T y[10 * SH_MAX_BANDS * SH_MAX_BANDS];              /* the planes of SH_HESSIAN */
     const int n = bands * bands;
     double best = 0;
     int turn, i, k, halved, goes_on = 1;
