@@ -93,6 +93,7 @@ SHI_INLINE int shi_euler(const double m[9], double tolerance, double cs[6])
         + m[2] * (m[3] * m[7] - m[4] * m[6]);
     if (!(det > 0)) return SH_ERROR_MATRIX;
     sb = sqrt(m[2] * m[2] + m[5] * m[5]);
+    if (!(sb > 1e-140)) sb = 0;                 /* its square has no digits left, and no effect */
     cs[0] = sb > 0 ? m[2] / sb : 1;
     cs[1] = sb > 0 ? m[5] / sb : 0;
     r = sqrt(sb * sb + m[8] * m[8]);
@@ -1188,6 +1189,7 @@ SHI_INLINE void SHI_KN(shi_prod_multiples)(int bands, const SHI_V *c, const SHI_
 SHI_INLINE void SHI_KN(shi_prod_cosine)(int bands, const SHI_T *swap, const SHI_T *clamp, const SHI_V n[3], SHI_V *d)
 {
     SHI_V ca[SH_PRODUCT_BANDS], sa[SH_PRODUCT_BANDS], cb[SH_PRODUCT_BANDS], sb[SH_PRODUCT_BANDS];
+    const SHI_T least = SHI_BITS == 32 ? SHI_C(1e-30) : SHI_C(1e-280 * (SHI_BITS == 64));
     SHI_V zero, one, x, y, z, big, scale, s2, s, r, c;
     const SHI_T *k = swap;
     int l;
@@ -1202,9 +1204,9 @@ SHI_INLINE void SHI_KN(shi_prod_cosine)(int bands, const SHI_T *swap, const SHI_
     s2 = x * x + y * y;
     s = SHI_SQRT(s2);
     r = one / SHI_SQRT(s2 + z * z);
-    c = one / SHI_SELECT(s2 > zero, s, one);
-    x = SHI_SELECT(s2 > zero, x * c, one);      /* at the pole any azimuth will do */
-    y = SHI_SELECT(s2 > zero, y * c, zero);
+    c = one / SHI_SELECT(s2 > zero + least, s, one);
+    x = SHI_SELECT(s2 > zero + least, x * c, one);      /* at the pole any azimuth will do, next to it s has no digits left */
+    y = SHI_SELECT(s2 > zero + least, y * c, zero);
     z = z * r; s = s * r;
     SHI_KN(shi_prod_multiples)(bands, &x, &y, ca, sa);
     SHI_KN(shi_prod_multiples)(bands, &z, &s, cb, sb);
@@ -1652,12 +1654,12 @@ SH_API int SHI_FN(sh_permute_axes)(int bands, const int axes[3], size_t count, c
     size_t v, n;
 
     if (status) return status;
-    if (!axes) return SH_ERROR_NULL;
+    if (!axes) return count ? SH_ERROR_NULL : SH_OK;
     for (k = 0; k < 3; k++) a[k] = axes[k] < 0 ? -(axes[k] + 1) : axes[k] - 1;
     if ((unsigned)a[0] > 2 || (unsigned)a[1] > 2 || (unsigned)a[2] > 2
         || a[0] == a[1] || a[0] == a[2] || a[1] == a[2]) return SH_ERROR_OPTION;
     n = (size_t)(bands * bands);
-    if (in != out) memmove(out, in, count * n * sizeof *out);
+    if (count && in != out) memmove(out, in, count * n * sizeof *out);
     /* exchanges of neighbours, applied in order: the one for z to its place first, then x and y */
     if (a[2] == 0) steps[used++] = x_y;
     if (a[2] < 2) steps[used++] = y_z;

@@ -223,7 +223,7 @@ static void F(rotate_edges)(void **state)
     T c[MOST2], d[MOST2], m[9], q[4] = { 0, 0, 0, 0 };
     row *w = row_open("rotation there and back", PRECISION);
     F(sh_rotation) r, back;
-    int i;
+    int i, turn;
 
     (void)state;
     F(light)(MOST, 0, c);
@@ -244,6 +244,16 @@ static void F(rotate_edges)(void **state)
     F(sh_rotate)(MOST, &back, 1, d, d);
     row_case("inverse");
     for (i = 0; i < MOST2; i++) row_check(w, (long double)d[i], (long double)c[i], 80 * (long double)EPS * 16, i);
+    for (turn = 20; turn < 320; turn++) {                                 /* a hair off the identity */
+        q[0] = (T)(0.25 * pow(10, -turn));
+        q[1] = (T)(-0.5 * pow(10, -turn));
+        q[2] = 0;
+        q[3] = 1;
+        assert_int_equal(F(sh_rotation_quaternion)(q, &r), SH_OK);
+        F(sh_rotate)(MOST, &r, 1, c, d);
+        row_case("1e-%d from the identity", turn);
+        for (i = 0; i < MOST2; i++) row_check(w, (long double)d[i], (long double)c[i], 40 * (long double)EPS * 16, i);
+    }
     row_close(w);
 
     assert_int_equal(F(sh_rotation_matrix)(mirror, &r), SH_ERROR_MATRIX);
@@ -307,6 +317,9 @@ static void F(axes)(void **state)
         F(sh_permute_axes)(5, quarter_back, 1, d, d);
         assert_memory_equal(c, d, sizeof c);                            /* about z: exact */
         for (i = 0; i < 3; i++) assert_int_equal(F(sh_permute_axes)(5, bad[i], 1, c, d), SH_ERROR_OPTION);
+        assert_int_equal(F(sh_permute_axes)(5, NULL, 1, c, d), SH_ERROR_NULL);
+        assert_int_equal(F(sh_permute_axes)(5, NULL, 0, NULL, NULL), SH_OK);
+        assert_int_equal(F(sh_permute_axes)(5, flip, 0, NULL, d), SH_OK);
     }
 }
 
@@ -398,6 +411,21 @@ static void F(cosine)(void **state)
             F(sh_diffuse_from_product)(out, &e);
             row_check(wd, (long double)e, want[0] * 2 * sqrtl(REF_PI), scale * 3.55L, 0);
         }
+    for (k = 20; k < (IS_F32 ? 45 : 320); k++) {                         /* a hair off a pole */
+        const int bands = 9, n = bands * bands;
+        T c[MOST2], out[MOST2], normal[3];
+        long double lc[MOST2], want[MOST2], ln[3] = { 0, 0, k % 2 ? -1 : 1 };
+        normal[0] = (T)pow(10, -k);
+        normal[1] = (T)(-0.5 * pow(10, -k));
+        normal[2] = k % 2 ? -1 : 1;
+        F(light)(bands, 0, c);
+        F(widen)(n, c, lc);
+        assert_int_equal(F(sh_cosine_product)(bands, normal, c, out), SH_OK);
+        ref_cosine_product(bands, ln, lc, want);
+        row_case("normal 1e-%d off the pole", k);
+        for (i = 0; i < n; i++)
+            row_check(ww2, (long double)out[i], want[i], limit(bands) * (long double)EPS * norm2(n, lc), i);
+    }
     row_close(wl); row_close(wl2); row_close(ww); row_close(ww2); row_close(wd);
 }
 
