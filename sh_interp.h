@@ -573,7 +573,8 @@ SHI_NOINLINE int SHI_FN(shi_grid_call)(const SHI_FN(shi_query) *c)
  *   planes     SH_VALUES, SH_GRADIENT or SH_HESSIAN: what the nodes store; at least what the scheme reads
  *   channels   >= 1
  *   grid       origin, cell and nodes per axis. An axis of one node is constant: its origin and cell need only be finite. Other
- *              cells are 1e-18 .. 1e18, no axis has more than 2^24 nodes
+ *              cells are 1e-18 .. 1e18, no axis has more than 2^24 nodes. Gradients of SH_BLENDED_TAYLOR2 need
+ *              cell_i^2 / cell_j in the range of T too, for any two axes
  *   nodes      [nodes][channels][planes][N], the layout of sh_spheres_grid
  *   scheme     enum sh_scheme
  *   outside    SH_CLAMP: a point outside of the grid gets the coefficients of the nearest point inside;
