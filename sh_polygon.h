@@ -3698,19 +3698,16 @@ SHI_INLINE void shi_two_cross(const shi_two a[3], const shi_two b[3], shi_two c[
 }
 SHI_INLINE shi_two shi_two_dot(const shi_two a[3], const shi_two b[3])
 {
-    return shi_two_add(shi_two_add(shi_two_times(a[0], b[0]), shi_two_times(a[1], b[1])),
-                       shi_two_times(a[2], b[2]));
+    return shi_two_add(shi_two_add(shi_two_times(a[0], b[0]), shi_two_times(a[1], b[1])), shi_two_times(a[2], b[2]));
 }
 
-SHI_NOINLINE int shi_polygon_engine(int bands, int sides, int tight, const double point[3], size_t count,
-                                    const void *vertices, int floats, double *coeffs, double *grad,
-                                    double *fan_size);
-SHI_NOINLINE int shi_triangle_sphere(int bands, int sides, const double x[3], const double v[9], double *out,
-                                     double *grad, double *error);
+SHI_NOINLINE int shi_polygon_engine(int bands, int sides, int tight, const double point[3], size_t count, const void *vertices,
+                                    int floats, double *coeffs, double *grad, double *fan_size);
+SHI_NOINLINE int shi_triangle_sphere(int bands, int sides, const double x[3], const double v[9], double *out, double *grad,
+                                     double *error);
 
-SHI_NOINLINE int shi_within_engine(int bands, int sides, int tight, double tolerance, const double point[3],
-                                   size_t count, const void *vertices, int floats, double *out, double *grad,
-                                   double *error, int *used);
+SHI_NOINLINE int shi_within_engine(int bands, int sides, int tight, double tolerance, const double point[3], size_t count,
+                                   const void *vertices, int floats, double *out, double *grad, double *error, int *used);
 /* the double engine's parts that the float functions call before they are compiled */
 typedef struct {
     const void *vertices;
@@ -3718,13 +3715,11 @@ typedef struct {
     int floats;
     double point[3], scale;
 } shi_scene;
-SHI_NOINLINE int shi_polygon_zonal_engine(int bands, int tight, const double axis[3], const double point[3],
-                                          size_t count, const void *vertices, int floats, double *s,
-                                          double *grad);
+SHI_NOINLINE int shi_polygon_zonal_engine(int bands, int tight, const double axis[3], const double point[3], size_t count,
+                                          const void *vertices, int floats, double *s, double *grad);
 SHI_INLINE int  shi_zonal_edge(const shi_scene *scene, size_t i, double out[14]);
 SHI_INLINE void shi_zonal_steps(int n, double *steps);
-SHI_INLINE void shi_scene_open(shi_scene *scene, const double point[3], size_t count, const void *vertices,
-                               int floats);
+SHI_INLINE void shi_scene_open(shi_scene *scene, const double point[3], size_t count, const void *vertices, int floats);
 
 /* u, v, weight of the nodes of triangle rules: 1 node, 3 and 7; weights sum to 1/2 */
 static const double shi_triangle_rules[11][3] = {
@@ -3773,8 +3768,7 @@ SHI_INLINE void SHI_FN(shi_fan_normal)(const SHI_T *a, const SHI_T *b, const SHI
 #endif
 }
 
-/* What a polygon is from everywhere: its mean vertex, its radius about that, normals of the fan (count-2; or
- * NULL). */
+/* What a polygon is from everywhere: its mean vertex, its radius about that, normals of the fan (count-2; or NULL). */
 typedef struct { SHI_T center[3], radius; const double *normal; } SHI_FN(shi_shape);
 
 SHI_INLINE void SHI_FN(shi_measure)(size_t count, const SHI_T *v, double *normal, SHI_FN(shi_shape) *o)
@@ -3797,8 +3791,7 @@ SHI_INLINE void SHI_FN(shi_measure)(size_t count, const SHI_T *v, double *normal
         SHI_FN(shi_fan_normal)(v, v + 3 * i, v + 3 * i + 3, normal + 3 * (i - 1));
 }
 /* ... of triangle 0, i, i+1 */
-SHI_INLINE const double *SHI_FN(shi_shape_normal)(const SHI_FN(shi_shape) *s, const SHI_T *v, size_t i,
-                                                  double own[3])
+SHI_INLINE const double *SHI_FN(shi_shape_normal)(const SHI_FN(shi_shape) *s, const SHI_T *v, size_t i, double own[3])
 {
     if (s->normal) return s->normal + 3 * (i - 1);
     SHI_FN(shi_fan_normal)(v, v + 3 * i, v + 3 * i + 3, own);
@@ -3846,9 +3839,8 @@ SHI_NOINLINE void SHI_FN(shi_make_rules)(SHI_FN(shi_rules) *r)
 
 /* ---- node sums, and from sums to coefficients ---- */
 
-/* Sums over directions of q_l^m(z) U_m and q_l^m(z) V_m, with sh_gradient.h's monic q and (U + iV) = (-x -
- * iy)^m: a basis without its norms. Packed by columns: m first, then l = m .. n-1, then U, V; n bands take
- * n(n+1) entries. */
+/* Sums over directions of q_l^m(z) U_m and q_l^m(z) V_m, with sh_gradient.h's monic q and (U + iV) = (-x - iy)^m: a basis
+ * without its norms. Packed by columns: m first, then l = m .. n-1, then U, V; n bands take n(n+1) entries. */
 #define SHI_COLUMN(n, m)   ((m) * (2 * (n) - (m) + 1))
 #define SHI_PACKED(n, l, m) (SHI_COLUMN(n, m) + 2 * ((l) - (m)))
 
@@ -3960,8 +3952,7 @@ SHI_INLINE void SHI_KN(shi_polygon_sums)(int ns, int nt, int groups, const SHI_V
 /* x_k h_lm, h the monic basis: its part of degree l-1, times (2l-1)(2l+1); `t` holds bands n, packed */
 SHI_INLINE void SHI_KN(shi_polygon_below)(int n, int l, int m, int sine, const SHI_V *t, SHI_V out[3])
 {
-    const SHI_T down = SHI_C(0.5) * SHI_C((l + m) * (l + m - 1)),
-                up = SHI_C(0.5) * SHI_C((l - m) * (l - m - 1));
+    const SHI_T down = SHI_C(0.5) * SHI_C((l + m) * (l + m - 1)), up = SHI_C(0.5) * SHI_C((l - m) * (l - m - 1));
     const SHI_V zero = SHI_SPLAT(0);
     SHI_V c0 = zero, s0 = zero, c1 = zero, s1 = zero;
     out[2] = m < l ? SHI_C((l + m) * (l - m)) * t[SHI_PACKED(n, l - 1, m) + sine] : zero;
@@ -3992,8 +3983,7 @@ SHI_INLINE void SHI_KN(shi_polygon_above)(int n, int l, int m, int sine, const S
         out[0] = -c1;
         out[1] = -s1;
     } else {
-        const SHI_V c0 = t[SHI_PACKED(n, l + 1, m - 1)],
-                    s0 = m > 1 ? t[SHI_PACKED(n, l + 1, m - 1) + 1] : SHI_SPLAT(0);
+        const SHI_V c0 = t[SHI_PACKED(n, l + 1, m - 1)], s0 = m > 1 ? t[SHI_PACKED(n, l + 1, m - 1) + 1] : SHI_SPLAT(0);
         if (!sine) {
             out[0] = SHI_C(0.5) * (c0 - c1);
             out[1] = SHI_C(-0.5) * (s0 + s1);
@@ -4019,8 +4009,7 @@ SHI_INLINE void SHI_KN(shi_polygon_finish)(int n, int planes, int surface, const
     const int size = n * n, step = n * (n + 1), one = n * (n - 1), two = 2 * one;
     int l, m, sine, k;
     for (m = 0; m < n; m++) {
-        const SHI_V *to = slope + SHI_COLUMN(n, m),
-                    *low = totals + SHI_FLUX_AT(n) + (m ? SHI_COLUMN(n - 1, m - 1) : 0);
+        const SHI_V *to = slope + SHI_COLUMN(n, m), *low = totals + SHI_FLUX_AT(n) + (m ? SHI_COLUMN(n - 1, m - 1) : 0);
         const SHI_V *same = totals + SHI_FLUX_AT(n) + SHI_COLUMN(n - 1, m), *high = same + 2 * (n - 1 - m);
         for (l = m; l < n; l++) {
             const SHI_T norm = SHI_FN(shi_norm)[SHI_ROWS(l, m)], p = norm * part[l];
@@ -4074,8 +4063,7 @@ SHI_INLINE void SHI_KN(shi_polygon_finish)(int n, int planes, int surface, const
 
 /* ---- many points: lanes are points ---- */
 
-/* atan z, 0 <= z <= 1: float by 9 terms (relative error 1.8e-8), double after one half-angle step by 12
- * (1.3e-18).
+/* atan z, 0 <= z <= 1: float by 9 terms (relative error 1.8e-8), double after one half-angle step by 12 (1.3e-18).
  * The terms are mpmath.chebyfit(lambda k: atan(sqrt(k))/sqrt(k), [0, 1 or tan(pi/8)^2], 9 or 12). */
 SHI_KERNEL SHI_V SHI_KN(shi_polygon_atan)(SHI_V z)
 {
@@ -4172,9 +4160,8 @@ SHI_KERNEL void SHI_KN(shi_polygon_see)(const SHI_V x[3], const SHI_T *v, SHI_KN
 typedef struct { SHI_V mid[3], along[3], mu[3], half, k0, k1; } SHI_KN(shi_arc_seen);
 
 /* Returns the cosine of the arc; marks lanes whose point lies on the edge in *bad. */
-SHI_KERNEL SHI_V SHI_KN(shi_polygon_arc)(const SHI_KN(shi_seen) *p, const SHI_KN(shi_seen) *q,
-                                         const SHI_T e[3], SHI_T end_on, SHI_T at_vertex,
-                                         SHI_KN(shi_arc_seen) *o, SHI_M *bad)
+SHI_KERNEL SHI_V SHI_KN(shi_polygon_arc)(const SHI_KN(shi_seen) *p, const SHI_KN(shi_seen) *q, const SHI_T e[3], SHI_T end_on,
+                                         SHI_T at_vertex, SHI_KN(shi_arc_seen) *o, SHI_M *bad)
 {
     const SHI_V *const a = p->a, *const b = q->a, *const w = p->w, zero = SHI_SPLAT(0), one = SHI_SPLAT(1);
     const SHI_T least = SHI_BITS == 32 ? SHI_C(1e-37) : SHI_C(1e-300 * (SHI_BITS == 64));
@@ -4215,16 +4202,14 @@ SHI_KERNEL SHI_V SHI_KN(shi_polygon_arc)(const SHI_KN(shi_seen) *p, const SHI_KN
 
 /* Sums along an arc, for the lanes of `wide`: s[l < ns] of Y dt, t[l < nt] of Y/|p| dt. The nodes come in
  * pairs about the middle, as many as the longest arc needs. */
-SHI_KERNEL void SHI_KN(shi_polygon_arc_sums)(int n, int ns, int nt, const SHI_KN(shi_arc_seen) *arc,
-                                             SHI_M wide, SHI_V *s, SHI_V *t)
+SHI_KERNEL void SHI_KN(shi_polygon_arc_sums)(int n, int ns, int nt, const SHI_KN(shi_arc_seen) *arc, SHI_M wide, SHI_V *s,
+                                             SHI_V *t)
 {
     static const SHI_T limit[8] = {                             /* shi_gauss_count's, of 2, 4 .. 16 nodes */
 #if SHI_BITS == 32
-        SHI_C(0.063), SHI_C(0.881), SHI_C(2.56), SHI_C(4.74),
-        SHI_C(7.19), SHI_C(9.87), SHI_C(12.7), SHI_C(15.8) };
+        SHI_C(0.063), SHI_C(0.881), SHI_C(2.56), SHI_C(4.74), SHI_C(7.19), SHI_C(9.87), SHI_C(12.7), SHI_C(15.8) };
 #else
-        SHI_C(2.2e-4), SHI_C(0.053), SHI_C(0.388), SHI_C(1.13),
-        SHI_C(2.28), SHI_C(3.75), SHI_C(5.53), SHI_C(7.46) };
+        SHI_C(2.2e-4), SHI_C(0.053), SHI_C(0.388), SHI_C(1.13), SHI_C(2.28), SHI_C(3.75), SHI_C(5.53), SHI_C(7.46) };
 #endif
     const SHI_V half = arc->half, reach = SHI_SELECT(wide, SHI_C(n) * half, SHI_SPLAT(0));
     SHI_V node[SHI_KN(shi_nodes_at_once) * 5];
@@ -4357,17 +4342,16 @@ SHI_INLINE SHI_V SHI_KN(shi_polygon_turning)(const SHI_V x[3], size_t count, con
  * vectors. *surface: whether the surface's totals hold anything; until then they are not even cleared. */
 #define SHI_ARCS 8                          /* edges whose sums wait for each other, as `work` has room */
 #define SHI_POLYGON_SUMS(n) ((n) <= 10 ? 800 : 4 * (n) * (n))
-SHI_INLINE void SHI_KN(shi_polygon_block)(int n, int planes, int sides, SHI_FN(shi_rules) *rules,
-                                          const SHI_V points[3], const SHI_FN(shi_shape) *shape, size_t count,
-                                          const SHI_T *v, int channels, const SHI_T *radiance, SHI_V *totals,
-                                          SHI_V *omega, int *surface, SHI_M *hard, SHI_V *work)
+SHI_INLINE void SHI_KN(shi_polygon_block)(int n, int planes, int sides, SHI_FN(shi_rules) *rules, const SHI_V points[3],
+                                          const SHI_FN(shi_shape) *shape, size_t count, const SHI_T *v, int channels,
+                                          const SHI_T *radiance, SHI_V *totals, SHI_V *omega, int *surface, SHI_M *hard,
+                                          SHI_V *work)
 {
     static const double limits[2][11] = {
         { 4e-4, 0.02, 0.7, 1.4 },
         { 1e-8, 1e-5, 4e-3, 0.02, 0.06, 0.15, 0.3, 0.55, 0.9, 1.3, 1.8 } };
     const SHI_V zero = SHI_SPLAT(0), one = SHI_SPLAT(1);
-    const SHI_T biggest = SHI_BITS == 32 ? SHI_C(1e8) : SHI_C(1e75),
-                smallest = SHI_BITS == 32 ? SHI_C(1e-6) : 1 / biggest;
+    const SHI_T biggest = SHI_BITS == 32 ? SHI_C(1e8) : SHI_C(1e75), smallest = SHI_BITS == 32 ? SHI_C(1e-6) : 1 / biggest;
     SHI_T end_on, at_vertex;                                /* |A x E|, |A| that count as 0 */
     const int gradient = planes >= SH_GRADIENT, slope = n * (n + 1), flux = n * (n - 1);
     SHI_V x[3], d2, dist, volume = zero, sign, factor, wide_factor = zero, size, dets[SHI_ARCS];
@@ -4412,8 +4396,7 @@ SHI_INLINE void SHI_KN(shi_polygon_block)(int n, int planes, int sides, SHI_FN(s
         SHI_V m[3 * SHI_ARCS];
         SHI_KN(shi_arc_seen) arcs[SHI_ARCS];
         int pass;
-        /* points on an edge must be known before anything is added: once around for that if not all edges fit
-         * at once */
+        /* points on an edge must be known before anything is added: once around for that if not all edges fit at once */
         for (pass = count > (size_t)most ? 0 : 1; pass < 2; pass++) {
             SHI_V cos0b = zero, fan_c = one, fan_s = zero, sum = zero, least = one;
             SHI_KN(shi_seen) first, a, b;
@@ -4479,11 +4462,9 @@ SHI_INLINE void SHI_KN(shi_polygon_block)(int n, int planes, int sides, SHI_FN(s
                 const SHI_V solid = SHI_C(2) * SHI_KN(shi_polygon_angle)(SHI_ABS(fan_s), fan_c);
                 sum += SHI_SELECT(fan_s < zero, -solid, solid);
             }
-            /* the fan is relatively exact but near its sides' planes, where the sides are long and turn
-             * well-defined angles */
+            /* the fan is relatively exact but near its sides' planes, where the sides are long and turn well-defined angles */
             if (SHI_ANY(SHI_NOT(bad | compact) & (SHI_M)(least <= SHI_SPLAT(SHI_C(0.25)))))
-                sum = SHI_SELECT((SHI_M)(least > SHI_SPLAT(SHI_C(0.25))), sum,
-                                 SHI_KN(shi_polygon_turning)(x, count, v, sum));
+                sum = SHI_SELECT((SHI_M)(least > SHI_SPLAT(SHI_C(0.25))), sum, SHI_KN(shi_polygon_turning)(x, count, v, sum));
             for (c = 0; c < channels; c++) omega[c] += (radiance[c] * wide_factor) * sum;
         }
     }
@@ -4541,8 +4522,7 @@ SHI_INLINE void SHI_KN(shi_polygon_block)(int n, int planes, int sides, SHI_FN(s
             for (c = 0; c < channels; c++) {
                 SHI_V *const value = totals + c * SHI_TOTALS(n), *const out = value + SHI_SLOPE_AT(n);
                 SHI_V *const ray = value + SHI_RAY_AT(n);
-                const SHI_T r = radiance[c], nx = r * (SHI_T)n2[0], ny = r * (SHI_T)n2[1],
-                            nz = r * (SHI_T)n2[2];
+                const SHI_T r = radiance[c], nx = r * (SHI_T)n2[0], ny = r * (SHI_T)n2[1], nz = r * (SHI_T)n2[2];
                 const SHI_V d = r * det;
                 for (l = 0; l < slope; l++) value[l] += d * s[l];
                 if (!gradient) continue;
@@ -4586,19 +4566,16 @@ SHI_INLINE void SHI_KN(shi_polygon_zonal_short)(int n, SHI_V a, SHI_V b, const S
     }
 }
 
-/* Adds one edge's integrals about the axes dir: s[l] += c D_l/(l(l+1)), l >= 1, and with g: g[axis][l] += mu
- * G_l (planes of n).
- * edge: w lambda mu (3 each), gamma, cos gamma, sin gamma, k0, k1. steps[l] = { 1/l^2, 1/(l(l+1)), 1/(l+1),
- * (2l-1)/l, (l-1)/l }.
+/* Adds one edge's integrals about the axes dir: s[l] += c D_l/(l(l+1)), l >= 1, and with g: g[axis][l] += mu G_l (planes of n).
+ * edge: w lambda mu (3 each), gamma, cos gamma, sin gamma, k0, k1. steps[l] = { 1/l^2, 1/(l(l+1)), 1/(l+1), (2l-1)/l, (l-1)/l }.
  * Source: WR18 Eq. 20, 30-32 with -c^2 for a^2+b^2-1, and without S_{l-2}: S_l = sum c D_l/(l(l+1)). */
-SHI_INLINE void SHI_KN(shi_polygon_zonal_edge)(int n, const SHI_V dir[3], const SHI_T *edge,
-                                               const SHI_T *steps, SHI_V *s, SHI_V *g)
+SHI_INLINE void SHI_KN(shi_polygon_zonal_edge)(int n, const SHI_V dir[3], const SHI_T *edge, const SHI_T *steps, SHI_V *s,
+                                               SHI_V *g)
 {
     const SHI_T *const w = edge, *const la = edge + 3, *const mu = edge + 6, gamma = edge[9], co = edge[10],
                        si = edge[11], k0 = edge[12], k1 = edge[13];
     const SHI_T end0 = -k1, end1 = k0 * si - k1 * co;           /* K(0), K(gamma) */
-    const SHI_V a = dir[0] * w[0] + dir[1] * w[1] + dir[2] * w[2],
-                b = dir[0] * la[0] + dir[1] * la[1] + dir[2] * la[2];
+    const SHI_V a = dir[0] * w[0] + dir[1] * w[1] + dir[2] * w[2], b = dir[0] * la[0] + dir[1] * la[1] + dir[2] * la[2];
     const SHI_V c = dir[0] * mu[0] + dir[1] * mu[1] + dir[2] * mu[2];
     const SHI_V z0 = a, z1 = a * co + b * si, d0 = b, d1 = b * co - a * si, cc = c * c, kk = k0 * a + k1 * b;
     SHI_V p0 = SHI_SPLAT(0), q0 = SHI_SPLAT(1), p1 = p0, q1 = q0;       /* P_{l-1}, P_l at z0 and z1 */
@@ -4619,8 +4596,7 @@ SHI_INLINE void SHI_KN(shi_polygon_zonal_edge)(int n, const SHI_V dir[3], const 
          * H_{l-1}, h0 = H_{l-2} */
         const SHI_T *const k = steps + 5 * l;
         const SHI_V d = e0 + SHI_C(2 * l - 1) * b1;
-        const SHI_V t = k[0]
-                      * (SHI_C(2 * l - 1) * (d0 * q0 - d1 * q1 - cc * e1) + SHI_C((l - 1) * (l - 1)) * b0);
+        const SHI_V t = k[0] * (SHI_C(2 * l - 1) * (d0 * q0 - d1 * q1 - cc * e1) + SHI_C((l - 1) * (l - 1)) * b0);
         SHI_V r = k[3] * (z0 * q0) - k[4] * p0;
         p0 = q0;
         q0 = r;
@@ -4645,8 +4621,7 @@ SHI_INLINE void SHI_KN(shi_polygon_zonal_edge)(int n, const SHI_V dir[3], const 
 }
 
 /* out[i] = sum_d weights[i][d] s[l(i)][d], d padded to vectors: WR18 Eq. 33 */
-SHI_INLINE void SHI_KN(shi_polygon_lobe_sum)(int n, int vectors, const SHI_T *weights, const SHI_V *s,
-                                             SHI_T *out)
+SHI_INLINE void SHI_KN(shi_polygon_lobe_sum)(int n, int vectors, const SHI_T *weights, const SHI_V *s, SHI_T *out)
 {
     int l, i, d;
     for (l = 0; l < n; l++)
@@ -4682,8 +4657,7 @@ SHI_INLINE double shi_scene_read(const shi_scene *p, size_t i)
 {
     return p->floats ? (double)((const float *)p->vertices)[i] : ((const double *)p->vertices)[i];
 }
-SHI_INLINE void shi_scene_open(shi_scene *scene, const double point[3], size_t count, const void *vertices,
-                               int floats)
+SHI_INLINE void shi_scene_open(shi_scene *scene, const double point[3], size_t count, const void *vertices, int floats)
 {
     double extent = 0;
     size_t i;
@@ -4815,8 +4789,7 @@ SHI_INLINE void shi_arc_nodes(shi_sink *sink, int bands, const shi_arc *e)
     for (p = 0; p < panels; p++) {
         for (i = 0; i < n; i++) {
             double w, u[3];
-            const double t = shi_gauss_node(n, i, &w), a = e->gamma * (p + t) / panels, c = cos(a),
-                         s = sin(a);
+            const double t = shi_gauss_node(n, i, &w), a = e->gamma * (p + t) / panels, c = cos(a), s = sin(a);
             for (k = 0; k < 3; k++) u[k] = c * e->w[k] + s * e->lambda[k];
             w *= e->gamma / panels;
             shi_sink_put(sink, u, w, w * (c * e->k0 + s * e->k1));
@@ -4837,8 +4810,7 @@ SHI_INLINE double shi_corner_angle(const shi_corner *a, const shi_corner *b)
     shi_cross3(a->v, b->v, c);
     return atan2(sqrt(shi_dot3(c, c)), shi_dot3(a->v, b->v));
 }
-/* the corner between a and b; returns |a + b| of their directions, of full relative accuracy near opposite
- * ones */
+/* the corner between a and b; returns |a + b| of their directions, of full relative accuracy near opposite ones */
 SHI_INLINE double shi_corner_middle(const shi_corner *a, const shi_corner *b, shi_corner *middle)
 {
     double d[3], size, chord;
@@ -4875,12 +4847,11 @@ SHI_INLINE double shi_corner_middle(const shi_corner *a, const shi_corner *b, sh
     return size;
 }
 
-/* Directions p(s,u) of the triangle c, a, b: q(s) along the arc a-b, then from c towards q with 1 - cos = u^2
- * (1 - cos d).
+/* Directions p(s,u) of the triangle c, a, b: q(s) along the arc a-b, then from c towards q with 1 - cos = u^2 (1 - cos d).
  * The solid angle is  det(c,a,b) (gamma/sin gamma) ds 2u du / (1 + cos d), smooth and positive: no relative
  * error but that of the determinant `det`, which the caller has to full accuracy. Long arcs are halved. */
-SHI_NOINLINE void shi_triangle_nodes(shi_sink *sink, const shi_corner *c0, const shi_corner *c1,
-                                     const shi_corner *c2, double det, int depth)
+SHI_NOINLINE void shi_triangle_nodes(shi_sink *sink, const shi_corner *c0, const shi_corner *c1, const shi_corner *c2, double det,
+                                     int depth)
 {
     const shi_corner *p[3];
     double g[3];
@@ -4910,13 +4881,11 @@ SHI_NOINLINE void shi_triangle_nodes(shi_sink *sink, const shi_corner *c0, const
     }
     {
         const double *const c = p[w]->v, *const a = p[(w + 1) % 3]->v, *const b = p[(w + 2) % 3]->v;
-        const double gamma = g[w], sine = gamma > 1e-8 ? sin(gamma) : 1,
-                     ratio = gamma > 1e-8 ? gamma / sine : 1;
+        const double gamma = g[w], sine = gamma > 1e-8 ? sin(gamma) : 1, ratio = gamma > 1e-8 ? gamma / sine : 1;
         for (i = 0; i < n1; i++) {
             double weight, q[4], cosine, gap = 0;
             const double s = shi_gauss_node(n1, i, &weight);
-            const double at = gamma > 1e-8 ? sin((1 - s) * gamma) / sine : 1 - s,
-                         bt = gamma > 1e-8 ? sin(s * gamma) / sine : s;
+            const double at = gamma > 1e-8 ? sin((1 - s) * gamma) / sine : 1 - s, bt = gamma > 1e-8 ? sin(s * gamma) / sine : s;
             for (k = 0; k < 4; k++) q[k] = at * a[k] + bt * b[k];
             for (k = 0; k < 3; k++) gap += (q[k] - c[k]) * (q[k] - c[k]);
             gap *= 0.5;                                                     /* 1 - cos d */
@@ -4947,15 +4916,13 @@ SHI_INLINE void shi_sink_add(shi_sink *sink, double *s_out, double *t_out)
 
 /* Coefficients (and gradient, if grad) in double, of exact positions. tight: 0 leaves 2e-10, 1 leaves 1e-16.
  * fan_size, if not NULL, receives the sum of |solid angle| over the fan of vertex 0. */
-SHI_NOINLINE int shi_polygon_engine(int bands, int sides, int tight, const double point[3], size_t count,
-                                    const void *vertices, int floats, double *coeffs, double *grad,
-                                    double *fan_size)
+SHI_NOINLINE int shi_polygon_engine(int bands, int sides, int tight, const double point[3], size_t count, const void *vertices,
+                                    int floats, double *coeffs, double *grad, double *fan_size)
 {
     const double turn = SHI_TAU, y00 = SHI_Y00;
     const int size = bands * bands, planes = grad ? SH_GRADIENT : SH_VALUES;
     double totals[SHI_TOTALS(SH_MAX_POLYGON_BANDS)], out[4 * SH_MAX_POLYGON_BANDS * SH_MAX_POLYGON_BANDS];
-    double s[(SH_MAX_POLYGON_BANDS + 1) * (SH_MAX_POLYGON_BANDS + 2)],
-        t[(SH_MAX_POLYGON_BANDS + 1) * (SH_MAX_POLYGON_BANDS + 2)];
+    double s[(SH_MAX_POLYGON_BANDS + 1) * (SH_MAX_POLYGON_BANDS + 2)], t[(SH_MAX_POLYGON_BANDS + 1) * (SH_MAX_POLYGON_BANDS + 2)];
     double spread = 0, signed_sum = 0, volume = 0, area[3] = { 0, 0, 0 }, sign, omega = 0, plane_turn = 0,
            least = 4;
     shi_scene scene;
@@ -5005,8 +4972,7 @@ SHI_NOINLINE int shi_polygon_engine(int bands, int sides, int tight, const doubl
         if (shi_scene_arc(&scene, i, &e) < 0) on_edge = 1;
 
     if (flat || on_edge) {
-        /* in the plane: the front side sees a part of the hemisphere, the angle swept around the point over 2
-         * pi */
+        /* in the plane: the front side sees a part of the hemisphere, the angle swept around the point over 2 pi */
         const double length = sqrt(shi_dot3(area, area));
         double axis[3], part = 0, share = 1;
         if (!(length > 0)) return on_edge ? SH_ON_LIGHT : SH_OK;
@@ -5074,10 +5040,8 @@ SHI_NOINLINE int shi_polygon_engine(int bands, int sides, int tight, const doubl
             shi_cross3(before, start, c);
             plane_turn += atan2(shi_dot3(corner, c), shi_dot3(before, start));
         }
-        /* exterior angles give the solid angle modulo 2 pi, the fan tells which; the fan alone is poor near
-         * its sides' planes */
-        omega = least > 0.25 ? signed_sum
-                             : -plane_turn + turn * floor((signed_sum + plane_turn) / turn + 0.5);
+        /* exterior angles give the solid angle modulo 2 pi, the fan tells which; the fan alone is poor near its sides' planes */
+        omega = least > 0.25 ? signed_sum : -plane_turn + turn * floor((signed_sum + plane_turn) / turn + 0.5);
     } else {
         const int nt = grad ? bands + 1 : 0, used = bands * (bands + 1);
         int m;
@@ -5125,17 +5089,16 @@ SHI_NOINLINE int shi_polygon_engine(int bands, int sides, int tight, const doubl
     return status;
 }
 
-/* sup over the sphere and over unit vectors t of the Euclidean norm over m of (t.grad)^2 [Y_lm(p/|p|)/|p|^3]
- * at |p| = 1, in units of M_l: largest eigenvalue of [[12, 4 sqrt(k/2)], [., 3 + sqrt(k(3k-2)/8)]], k =
- * l(l+1) */
+/* sup over the sphere and over unit vectors t of the Euclidean norm over m of (t.grad)^2 [Y_lm(p/|p|)/|p|^3] at |p| = 1, in
+ * units of M_l: largest eigenvalue of [[12, 4 sqrt(k/2)], [., 3 + sqrt(k(3k-2)/8)]], k = l(l+1) */
 SHI_INLINE double shi_second_bound(int l)
 {
     const double k = (double)(l * (l + 1)), t = l ? sqrt(k * (3 * k - 2) / 8) : 0;
     return 0.5 * (15 + t) + sqrt(0.25 * (9 - t) * (9 - t) + 8 * k);
 }
 
-SHI_NOINLINE int shi_triangle_sphere(int bands, int sides, const double x[3], const double v[9], double *out,
-                                     double *grad, double *error)
+SHI_NOINLINE int shi_triangle_sphere(int bands, int sides, const double x[3], const double v[9], double *out, double *grad,
+                                     double *error)
 {
     const double huge = 1.7976931348623157e308, pi = SHI_PI;
     const int size = bands * bands;
@@ -5152,8 +5115,7 @@ SHI_NOINLINE int shi_triangle_sphere(int bands, int sides, const double x[3], co
         e1[k] = shi_two_sum(scale * v[3 + k], -scale * v[k]);
         e2[k] = shi_two_sum(scale * v[6 + k], -scale * v[k]);
         {   /* centroid - point: exact, the point may be much nearer to it than to the vertices */
-            const shi_two a = shi_two_sum(scale * v[k], -scale * x[k]),
-                          b = shi_two_sum(scale * v[3 + k], -scale * x[k]);
+            const shi_two a = shi_two_sum(scale * v[k], -scale * x[k]), b = shi_two_sum(scale * v[3 + k], -scale * x[k]);
             y[k] = shi_two_add(shi_two_add(a, b), shi_two_sum(scale * v[6 + k], -scale * x[k])).h / 3;
         }
     }
@@ -5202,8 +5164,7 @@ SHI_NOINLINE int shi_triangle_sphere(int bands, int sides, const double x[3], co
             /* the cap over the same area seen at its center: 2/(1+alpha), 2 P_l'/(l(l+1)) */
             double cap = l == 0 ? 2 / (1 + alpha) : 2 * slope / (double)(l * (l + 1)), t;
             if (l > 0) {
-                const double p2 = ((2 * l + 1) * alpha * p1 - l * p0) / (l + 1),
-                             s2 = slope0 + (2 * l + 1) * p1;
+                const double p2 = ((2 * l + 1) * alpha * p1 - l * p0) / (l + 1), s2 = slope0 + (2 * l + 1) * p1;
                 slope0 = slope;
                 slope = s2;
                 p0 = p1;
@@ -5225,11 +5186,10 @@ SHI_NOINLINE int shi_triangle_sphere(int bands, int sides, const double x[3], co
     return status;
 }
 
-/* best[l] = bound on what a degree-5 rule leaves on a triangle whose points lie within R = e rho of its
- * centroid, rho its least distance, in units of M_l area |cos| d/rho^3: its 6th-order remainder and the
- * integral's. Along any line the band's vector Y_l(p/|p|)/|p|^3 extends to complex offsets s rho with norm at
- * most M_l (1+s)^l/(1-s)^(l+3)/rho^3 (the Lie norm of a harmonic polynomial's argument), so Cauchy bounds the
- * 6th derivative by 6!/s^6 of that, for any s < 1. */
+/* best[l] = bound on what a degree-5 rule leaves on a triangle whose points lie within R = e rho of its centroid, rho its
+ * least distance, in units of M_l area |cos| d/rho^3: its 6th-order remainder and the integral's. Along any line the band's
+ * vector Y_l(p/|p|)/|p|^3 extends to complex offsets s rho with norm at most M_l (1+s)^l/(1-s)^(l+3)/rho^3 (the Lie norm of a
+ * harmonic polynomial's argument), so Cauchy bounds the 6th derivative by 6!/s^6 of that, for any s < 1. */
 SHI_INLINE void shi_sixth_bounds(int bands, double e, double *best)
 {
     static const double offsets[8] = { 0.1, 0.15, 0.2, 0.27, 0.35, 0.45, 0.6, 0.75 };
@@ -5243,8 +5203,7 @@ SHI_INLINE void shi_sixth_bounds(int bands, double e, double *best)
 }
 
 /* one node p of a surface of directed area n2 (weight w): coefficients and gradient */
-SHI_INLINE void shi_within_node(int bands, const double p[3], const double n2[3], double w, double det,
-                                double *out, double *grad)
+SHI_INLINE void shi_within_node(int bands, const double p[3], const double n2[3], double w, double det, double *out, double *grad)
 {
     const int size = bands * bands;
     double y[SH_MAX_POLYGON_BANDS * SH_MAX_POLYGON_BANDS], g[3 * SH_MAX_POLYGON_BANDS * SH_MAX_POLYGON_BANDS];
@@ -5259,9 +5218,8 @@ SHI_INLINE void shi_within_node(int bands, const double p[3], const double n2[3]
     }
 }
 
-SHI_NOINLINE int shi_within_engine(int bands, int sides, int tight, double tolerance, const double point[3],
-                                   size_t count, const void *vertices, int floats, double *out, double *grad,
-                                   double *error, int *used)
+SHI_NOINLINE int shi_within_engine(int bands, int sides, int tight, double tolerance, const double point[3], size_t count,
+                                   const void *vertices, int floats, double *out, double *grad, double *error, int *used)
 {
     enum { SPHERE, POINT, POINT4, SEVEN, SEVEN4, EXACT };
     const int size = bands * bands;
@@ -5310,8 +5268,7 @@ SHI_NOINLINE int shi_within_engine(int bands, int sides, int tight, double toler
         shi_sixth_bounds(bands, reach / nearest, six);
         shi_sixth_bounds(bands, 0.5 * reach / nearest, six4);
         for (l = 0; l < bands; l++) {
-            const double m2 = (2 * l + 1) / (2 * SHI_TAU),
-                         s = area / (SHI_PI * d * d);
+            const double m2 = (2 * l + 1) / (2 * SHI_TAU), s = area / (SHI_PI * d * d);
             const double nearest5 = nearest * nearest * nearest * nearest * nearest,
                          second = 0.5 * q * shi_second_bound(l) * unit / nearest5;
             const double sixth = unit / (nearest * nearest * nearest);
@@ -5385,8 +5342,7 @@ SHI_NOINLINE int shi_within_engine(int bands, int sides, int tight, double toler
 
 /* ---- checks and conversion ---- */
 
-SHI_INLINE int SHI_FN(shi_polygon_check)(int bands, int sides, const SHI_T *point, size_t count,
-                                         const SHI_T *vertices)
+SHI_INLINE int SHI_FN(shi_polygon_check)(int bands, int sides, const SHI_T *point, size_t count, const SHI_T *vertices)
 {
     if (!point || !vertices) return SH_ERROR_NULL;
     if (bands < 1 || bands > SH_MAX_POLYGON_BANDS) return SH_ERROR_BANDS;
@@ -5397,8 +5353,8 @@ SHI_INLINE int SHI_FN(shi_polygon_check)(int bands, int sides, const SHI_T *poin
 }
 
 /* value[n] is required; it and grad[3][n], or NULL, are apart from each other and from what is read */
-SHI_INLINE int SHI_FN(shi_polygon_outputs)(size_t n, const SHI_T *point, size_t count, const SHI_T *vertices,
-                                           const SHI_T *value, const SHI_T *grad)
+SHI_INLINE int SHI_FN(shi_polygon_outputs)(size_t n, const SHI_T *point, size_t count, const SHI_T *vertices, const SHI_T *value,
+                                           const SHI_T *grad)
 {
     const size_t size = n * sizeof *value, read = 3 * count * sizeof *vertices;
     if (!value) return SH_ERROR_NULL;
@@ -5437,28 +5393,25 @@ SHI_INLINE void SHI_FN(shi_polygon_store)(size_t count, const double *in, SHI_T 
  *         integrated by Gauss rules along the arc. Thin, small or grazing polygons: positive Gauss rules over
  *         the spherical triangles of the fan. The gradient: transport of the boundary, or of the surface.
  *         docs/polygons.md derives them. */
-SH_API int SHI_FN(sh_polygon)(int bands, int sides, const SHI_T point[3], size_t count, const SHI_T *vertices,
-                              SHI_T *coeffs, SHI_T *grad)
+SH_API int SHI_FN(sh_polygon)(int bands, int sides, const SHI_T point[3], size_t count, const SHI_T *vertices, SHI_T *coeffs,
+                              SHI_T *grad)
 {
     const size_t size = (size_t)bands * (size_t)bands;
-    double p[3], c[SH_MAX_POLYGON_BANDS * SH_MAX_POLYGON_BANDS],
-        g[3 * SH_MAX_POLYGON_BANDS * SH_MAX_POLYGON_BANDS];
+    double p[3], c[SH_MAX_POLYGON_BANDS * SH_MAX_POLYGON_BANDS], g[3 * SH_MAX_POLYGON_BANDS * SH_MAX_POLYGON_BANDS];
     int k, status = SHI_FN(shi_polygon_check)(bands, sides, point, count, vertices);
     if (!status) status = SHI_FN(shi_polygon_outputs)(size, point, count, vertices, coeffs, grad);
     if (status) return status;
     for (k = 0; k < 3; k++) p[k] = (double)point[k];
-    status = shi_polygon_engine(bands, sides, SHI_BITS == 64, p, count, vertices, SHI_BITS == 32, c,
-                                grad ? g : NULL, NULL);
+    status = shi_polygon_engine(bands, sides, SHI_BITS == 64, p, count, vertices, SHI_BITS == 32, c, grad ? g : NULL, NULL);
     SHI_FN(shi_polygon_store)(size, c, coeffs);
     if (grad) SHI_FN(shi_polygon_store)(3 * size, g, grad);
     return status;
 }
 
-/* Solid angle of a polygon in steradians, and its gradient by the point (NULL: none); signs, degenerate cases
- * and error as sh_polygon's at l = 0, times sqrt(4 pi). Source: exterior angles (WR18 Eq. 24, repaired) or
- * the sum of the surface. */
-SH_API int SHI_FN(sh_polygon_solid_angle)(int sides, const SHI_T point[3], size_t count,
-                                          const SHI_T *vertices, SHI_T *omega, SHI_T grad[3])
+/* Solid angle of a polygon in steradians, and its gradient by the point (NULL: none); signs, degenerate cases and error as
+ * sh_polygon's at l = 0, times sqrt(4 pi). Source: exterior angles (WR18 Eq. 24, repaired) or the sum of the surface. */
+SH_API int SHI_FN(sh_polygon_solid_angle)(int sides, const SHI_T point[3], size_t count, const SHI_T *vertices, SHI_T *omega,
+                                          SHI_T grad[3])
 {
     const double root = SHI_ROOT_FOUR_PI;          /* sqrt(4 pi) */
     double p[3], c[1], g[3];
@@ -5466,8 +5419,7 @@ SH_API int SHI_FN(sh_polygon_solid_angle)(int sides, const SHI_T point[3], size_
     if (!status) status = SHI_FN(shi_polygon_outputs)(1, point, count, vertices, omega, grad);
     if (status) return status;
     for (k = 0; k < 3; k++) p[k] = (double)point[k];
-    status = shi_polygon_engine(1, sides, SHI_BITS == 64, p, count, vertices, SHI_BITS == 32, c,
-                                grad ? g : NULL, NULL);
+    status = shi_polygon_engine(1, sides, SHI_BITS == 64, p, count, vertices, SHI_BITS == 32, c, grad ? g : NULL, NULL);
     c[0] *= root;
     SHI_FN(shi_polygon_store)(1, c, omega);
     for (k = 0; grad && k < 3; k++) g[k] *= root;
@@ -5477,9 +5429,8 @@ SH_API int SHI_FN(sh_polygon_solid_angle)(int sides, const SHI_T point[3], size_
 
 /* ---- triangle as sphere ---- */
 
-/* M22's approximation of a triangle by a sphere at its centroid, with the area of the triangle as that of its
- * disc (Eq. 24, 25), dimmed by |cos| of the angle at which the triangle is seen (Eq. 26), with its gradient
- * (Eq. 27, 28; NULL: none).
+/* M22's approximation of a triangle by a sphere at its centroid, with the area of the triangle as that of its disc (Eq. 24, 25),
+ * dimmed by |cos| of the angle at which the triangle is seen (Eq. 26), with its gradient (Eq. 27, 28; NULL: none).
  *
  *   bands   1 .. 32
  *   sides   SH_BOTH: |cos|, as published; SH_FRONT: max(0, cos); SH_SIGNED: cos, positive in front
@@ -5489,16 +5440,14 @@ SH_API int SHI_FN(sh_polygon_solid_angle)(int sides, const SHI_T point[3], size_
  *           Typically 2-5 % of the norm at size/distance 0.1 and no use at 0.5: the approximation itself is
  *           23-87 % wrong there.
  *
- * |cos| = 0 (point in the triangle's plane): zeros; gradient 0 with SH_BOTH and SH_FRONT, which have a kink
- * there, and exact with SH_SIGNED. A triangle without area: zeros. Point on or inside the sphere: L_00 = 2
- * sqrt(pi) times the cosine factor, gradient of the cosine factor alone, status SH_INSIDE; at the centroid
- * itself zeros.
+ * |cos| = 0 (point in the triangle's plane): zeros; gradient 0 with SH_BOTH and SH_FRONT, which have a kink there, and exact with
+ * SH_SIGNED. A triangle without area: zeros. Point on or inside the sphere: L_00 = 2 sqrt(pi) times the cosine factor, gradient
+ * of the cosine factor alone, status SH_INSIDE; at the centroid itself zeros.
  * Error of the value: that of sh_sphere plus 8 eps of the value (computed in double for both precisions).
- * Bound `error`: second-order Taylor remainder over the triangle, of Y_lm(p/|p|)/|p|^3 with the exact suprema
- * of its derivatives over the band, plus the exact deviation of the cap from its center: docs/polygons.md. */
-SH_API int SHI_FN(sh_triangle_as_sphere)(int bands, int sides, const SHI_T point[3], const SHI_T a[3],
-                                         const SHI_T b[3], const SHI_T c[3], SHI_T *coeffs, SHI_T *grad,
-                                         SHI_T *error)
+ * Bound `error`: second-order Taylor remainder over the triangle, of Y_lm(p/|p|)/|p|^3 with the exact suprema of its derivatives
+ * over the band, plus the exact deviation of the cap from its center: docs/polygons.md. */
+SH_API int SHI_FN(sh_triangle_as_sphere)(int bands, int sides, const SHI_T point[3], const SHI_T a[3], const SHI_T b[3],
+                                         const SHI_T c[3], SHI_T *coeffs, SHI_T *grad, SHI_T *error)
 {
     double x[3], v[9], out[SH_MAX_BANDS * SH_MAX_BANDS], g[3 * SH_MAX_BANDS * SH_MAX_BANDS], e = 0;
     const size_t size = (size_t)bands * (size_t)bands;
@@ -5506,8 +5455,7 @@ SH_API int SHI_FN(sh_triangle_as_sphere)(int bands, int sides, const SHI_T point
     if (!point || !a || !b || !c || !coeffs) return SH_ERROR_NULL;
     if (bands < 1 || bands > SH_MAX_BANDS) return SH_ERROR_BANDS;
     if (sides < SH_BOTH || sides > SH_SIGNED) return SH_ERROR_OPTION;
-    if (!SHI_FN(shi_finite)(point, 3) || !SHI_FN(shi_finite)(a, 3) || !SHI_FN(shi_finite)(b, 3)
-        || !SHI_FN(shi_finite)(c, 3))
+    if (!SHI_FN(shi_finite)(point, 3) || !SHI_FN(shi_finite)(a, 3) || !SHI_FN(shi_finite)(b, 3) || !SHI_FN(shi_finite)(c, 3))
         return SH_ERROR_NOT_FINITE;
     status = SHI_FN(shi_polygon_outputs)(size, point, 1, a, coeffs, grad);
     if (!status) status = SHI_FN(shi_polygon_outputs)(size, b, 1, c, coeffs, grad);
@@ -5527,9 +5475,8 @@ SH_API int SHI_FN(sh_triangle_as_sphere)(int bands, int sides, const SHI_T point
     return status;
 }
 
-/* The cheapest representation of a polygon that stays within a tolerance: the sphere of each triangle of the
- * fan, one node per triangle, four smaller triangles with a node each, a 7-point rule, four smaller triangles
- * with that, or sh_polygon.
+/* The cheapest representation of a polygon that stays within a tolerance: the sphere of each triangle of the fan, one node per
+ * triangle, four smaller triangles with a node each, a 7-point rule, four smaller triangles with that, or sh_polygon.
  *
  *   bands, sides, point, vertices as sh_polygon
  *   tolerance  >= 0 (else SH_ERROR_OPTION), on the Euclidean norm of the error of all coefficients of the unit-radiance light:
@@ -5537,17 +5484,15 @@ SH_API int SHI_FN(sh_triangle_as_sphere)(int bands, int sides, const SHI_T point
  *   error      NULL, or the bound of the way taken; 0 when that is exact
  *   used       NULL, or SH_USED_SPHERE, SH_USED_CUBATURE, SH_USED_SUBDIVISION, SH_USED_EXACT
  *
- * Guarantees |coeffs - exact| <= error <= tolerance (or the bound of sh_polygon), plus 64 eps of the light's
- * own norm. The gradient is that of the representation taken, and has no such bound. The bounds are proven, not estimated, and
- * therefore on the safe side:
+ * Guarantees |coeffs - exact| <= error <= tolerance (or the bound of sh_polygon), plus 64 eps of the light's own norm. The
+ * gradient is that of the representation taken, and has no such bound. The bounds are proven, not estimated, and therefore on the
+ * safe side:
  * Taylor and Cauchy remainders with the suprema of each band (docs/polygons.md). */
-SH_API int SHI_FN(sh_polygon_within)(int bands, int sides, SHI_T tolerance, const SHI_T point[3],
-                                     size_t count, const SHI_T *vertices, SHI_T *coeffs, SHI_T *grad,
-                                     SHI_T *error, int *used)
+SH_API int SHI_FN(sh_polygon_within)(int bands, int sides, SHI_T tolerance, const SHI_T point[3], size_t count,
+                                     const SHI_T *vertices, SHI_T *coeffs, SHI_T *grad, SHI_T *error, int *used)
 {
     const size_t size = (size_t)bands * (size_t)bands;
-    double p[3], c[SH_MAX_POLYGON_BANDS * SH_MAX_POLYGON_BANDS],
-        g[3 * SH_MAX_POLYGON_BANDS * SH_MAX_POLYGON_BANDS], e;
+    double p[3], c[SH_MAX_POLYGON_BANDS * SH_MAX_POLYGON_BANDS], g[3 * SH_MAX_POLYGON_BANDS * SH_MAX_POLYGON_BANDS], e;
     int k, status = SHI_FN(shi_polygon_check)(bands, sides, point, count, vertices);
     if (!status) status = SHI_FN(shi_polygon_outputs)(size, point, count, vertices, coeffs, grad);
     if (status) return status;
@@ -5565,9 +5510,9 @@ SH_API int SHI_FN(sh_polygon_within)(int bands, int sides, SHI_T tolerance, cons
 
 /* ---- many polygons, many points ---- */
 
-SHI_INLINE int SHI_FN(shi_polygons_check)(int bands, int planes, int channels, int sides, size_t points,
-                                          const SHI_T *point, size_t polygons, const int *counts,
-                                          const SHI_T *vertices, const SHI_T *radiance, const SHI_T *out)
+SHI_INLINE int SHI_FN(shi_polygons_check)(int bands, int planes, int channels, int sides, size_t points, const SHI_T *point,
+                                          size_t polygons, const int *counts, const SHI_T *vertices, const SHI_T *radiance,
+                                          const SHI_T *out)
 {
     const size_t bytes = points * (size_t)channels * (size_t)planes * (size_t)bands * (size_t)bands * sizeof *out;
     size_t i, total = 0;
@@ -5593,10 +5538,9 @@ SHI_INLINE int SHI_FN(shi_polygons_check)(int bands, int planes, int channels, i
 
 /* W points at a time; up to three channels share a pass over the polygons.
  * work: totals of three channels, then SHI_POLYGON_SUMS(n) vectors of sums, where the results go at last */
-SHI_INLINE int SHI_FN(shi_polygons_with)(int n, int planes, int channels, int sides, size_t points,
-                                         const SHI_T *point, const SHI_FN(sh_grid) *grid, size_t first,
-                                         size_t polygons, const int *counts, const SHI_T *vertices,
-                                         const SHI_T *radiance, SHI_T *out, SHI_MANY(shi_vector) *work)
+SHI_INLINE int SHI_FN(shi_polygons_with)(int n, int planes, int channels, int sides, size_t points, const SHI_T *point,
+                                         const SHI_FN(sh_grid) *grid, size_t first, size_t polygons, const int *counts,
+                                         const SHI_T *vertices, const SHI_T *radiance, SHI_T *out, SHI_MANY(shi_vector) *work)
 {
     const int lanes = SHI_MANY(shi_polygon_lanes), size = n * n, rows = planes * size, totals = SHI_TOTALS(n);
     const size_t row = (size_t)rows, stride = (size_t)channels * row;
@@ -5657,8 +5601,7 @@ SHI_INLINE int SHI_FN(shi_polygons_with)(int n, int planes, int channels, int si
                 }
                 for (i = 0; i < used; i++)
                     if (good[i])
-                        SHI_ONE(shi_transpose_block)(results + i, lanes, rows, to + (size_t)i * stride,
-                                                     stride, 1);
+                        SHI_ONE(shi_transpose_block)(results + i, lanes, rows, to + (size_t)i * stride, stride, 1);
             }
             if (!any) continue;
             for (g = 0, v = vertices; g < polygons;
@@ -5683,8 +5626,7 @@ SHI_INLINE int SHI_FN(shi_polygons_with)(int n, int planes, int channels, int si
                         const double f = radiance ? (double)radiance[(size_t)(c + k) * polygons + g] : 1;
                         SHI_T *const to = out + (p + (size_t)i) * stride + (size_t)(c + k) * row;
                         for (l = 0; l < rows; l++)
-                            to[l] = SHI_FN(shi_polygon_round)((double)to[l]
-                                                              + f * (l < size ? value[l] : grad[l - size]));
+                            to[l] = SHI_FN(shi_polygon_round)((double)to[l] + f * (l < size ? value[l] : grad[l - size]));
                     }
                 }
             }
@@ -5694,19 +5636,17 @@ SHI_INLINE int SHI_FN(shi_polygons_with)(int n, int planes, int channels, int si
 }
 
 #define SHI_POLYGON_WORK(n) (3 * SHI_TOTALS(n) + SHI_POLYGON_SUMS(n))
-SHI_NOINLINE int SHI_FN(shi_polygons_10)(int n, int planes, int channels, int sides, size_t points,
-                                         const SHI_T *point, const SHI_FN(sh_grid) *grid, size_t first,
-                                         size_t polygons, const int *counts, const SHI_T *vertices,
-                                         const SHI_T *radiance, SHI_T *out)
+SHI_NOINLINE int SHI_FN(shi_polygons_10)(int n, int planes, int channels, int sides, size_t points, const SHI_T *point,
+                                         const SHI_FN(sh_grid) *grid, size_t first, size_t polygons, const int *counts,
+                                         const SHI_T *vertices, const SHI_T *radiance, SHI_T *out)
 {
     SHI_MANY(shi_vector) work[SHI_POLYGON_WORK(10)];
     return SHI_FN(shi_polygons_with)(n, planes, channels, sides, points, point, grid, first, polygons, counts,
                                      vertices, radiance, out, work);
 }
-SHI_NOINLINE int SHI_FN(shi_polygons_16)(int n, int planes, int channels, int sides, size_t points,
-                                         const SHI_T *point, const SHI_FN(sh_grid) *grid, size_t first,
-                                         size_t polygons, const int *counts, const SHI_T *vertices,
-                                         const SHI_T *radiance, SHI_T *out)
+SHI_NOINLINE int SHI_FN(shi_polygons_16)(int n, int planes, int channels, int sides, size_t points, const SHI_T *point,
+                                         const SHI_FN(sh_grid) *grid, size_t first, size_t polygons, const int *counts,
+                                         const SHI_T *vertices, const SHI_T *radiance, SHI_T *out)
 {
     SHI_MANY(shi_vector) work[SHI_POLYGON_WORK(SH_MAX_POLYGON_BANDS)];
     n = n < SH_MAX_POLYGON_BANDS
@@ -5715,10 +5655,9 @@ SHI_NOINLINE int SHI_FN(shi_polygons_16)(int n, int planes, int channels, int si
     return SHI_FN(shi_polygons_with)(n, planes, channels, sides, points, point, grid, first, polygons, counts,
                                      vertices, radiance, out, work);
 }
-SHI_INLINE int SHI_FN(shi_polygons_any)(int n, int planes, int channels, int sides, size_t points,
-                                        const SHI_T *point, const SHI_FN(sh_grid) *grid, size_t first,
-                                        size_t polygons, const int *counts, const SHI_T *vertices,
-                                        const SHI_T *radiance, SHI_T *out)
+SHI_INLINE int SHI_FN(shi_polygons_any)(int n, int planes, int channels, int sides, size_t points, const SHI_T *point,
+                                        const SHI_FN(sh_grid) *grid, size_t first, size_t polygons, const int *counts,
+                                        const SHI_T *vertices, const SHI_T *radiance, SHI_T *out)
 {
     return n <= 10 ? SHI_FN(shi_polygons_10)(n, planes, channels, sides, points, point, grid, first, polygons,
                                              counts, vertices, radiance, out)
@@ -5736,28 +5675,22 @@ SHI_INLINE int SHI_FN(shi_polygons_any)(int n, int planes, int channels, int sid
  *   radiance  [channels][polygons], or NULL: 1, one channel
  *   out       [points][channels][planes][N]
  *
- * Degenerate cases as sh_polygon (which computes them); status SH_ON_LIGHT if any point lies on a polygon. A
- * polygon that is not valid is an error before anything is written; a point that is not finite is an error
- * and leaves its own outputs.
- * Error per polygon of radiance 1, with b = (bands+1) 2R/(d-R), R its radius about the mean vertex and d that
- * one's distance:
+ * Degenerate cases as sh_polygon (which computes them); status SH_ON_LIGHT if any point lies on a polygon. A polygon that is not
+ * valid is an error before anything is written; a point that is not finite is an error and leaves its own outputs.
+ * Error per polygon of radiance 1, with b = (bands+1) 2R/(d-R), R its radius about the mean vertex and d that one's distance:
  *     b < 1.4 (double: 1.8)  64 eps M_l sum |Omega_fan|, gradient 64 eps sum_fan (M_l |grad Omega_fan| +
  *     and d > 4 R            G_l Omega_fan/d), any shape; in double times 1 + 1/(8 sin) at grazing angles, whose
  *                            heights above the plane are rounded
  *     otherwise              32 eps M_l p more, p the perimeter in radians; gradient 128 eps M_l k more, k =
  *                            sum over edges of angle/distance; for points 1e-3 of the light's size from its
  *                            edges, and further
- * The last is an absolute error: a light of solid angle Omega has a relative one of p/(2 Omega) times as many
- * eps, all digits of it in float for a needle of 1:1000 nearer than ten times its length and lower than 1e-3
- * over its plane. Next to a light that fills the view it does not count; for a light that must be right by
- * itself there is sh_polygon.
- * Stack: up to 120 KiB to 10 bands, 250 KiB beyond, in either precision. One channel costs least; three share
- * a pass.
- * Source: as sh_polygon; small lights by rules of degree 1 to 18 over the fan, chosen by bands times angular
- * diameter. */
-SH_API int SHI_FN(sh_polygons_n)(int bands, int planes, int channels, int sides, size_t points,
-                                 const SHI_T *point, size_t polygons, const int *counts,
-                                 const SHI_T *vertices, const SHI_T *radiance, SHI_T *out)
+ * The last is an absolute error: a light of solid angle Omega has a relative one of p/(2 Omega) times as many eps, all digits of
+ * it in float for a needle of 1:1000 nearer than ten times its length and lower than 1e-3 over its plane. Next to a light that
+ * fills the view it does not count; for a light that must be right by itself there is sh_polygon.
+ * Stack: up to 120 KiB to 10 bands, 250 KiB beyond, in either precision. One channel costs least; three share a pass.
+ * Source: as sh_polygon; small lights by rules of degree 1 to 18 over the fan, chosen by bands times angular diameter. */
+SH_API int SHI_FN(sh_polygons_n)(int bands, int planes, int channels, int sides, size_t points, const SHI_T *point,
+                                 size_t polygons, const int *counts, const SHI_T *vertices, const SHI_T *radiance, SHI_T *out)
 {
     const int status = points && !point
                          ? SH_ERROR_NULL
@@ -5769,19 +5702,16 @@ SH_API int SHI_FN(sh_polygons_n)(int bands, int planes, int channels, int sides,
 }
 
 /* One point: out[channels][planes][N]. */
-SH_API int SHI_FN(sh_polygons)(int bands, int planes, int channels, int sides, const SHI_T point[3],
-                               size_t polygons, const int *counts, const SHI_T *vertices,
-                               const SHI_T *radiance, SHI_T *out)
+SH_API int SHI_FN(sh_polygons)(int bands, int planes, int channels, int sides, const SHI_T point[3], size_t polygons,
+                               const int *counts, const SHI_T *vertices, const SHI_T *radiance, SHI_T *out)
 {
-    return SHI_FN(sh_polygons_n)(bands, planes, channels, sides, 1, point, polygons, counts, vertices,
-                                 radiance, out);
+    return SHI_FN(sh_polygons_n)(bands, planes, channels, sides, 1, point, polygons, counts, vertices, radiance, out);
 }
 
 /* Nodes first .. first+nodes-1 of a grid (x fastest), as sh_spheres_grid: out[nodes][channels][planes][N]. */
-SH_API int SHI_FN(sh_polygons_grid)(int bands, int planes, int channels, int sides,
-                                    const SHI_FN(sh_grid) *grid, size_t first, size_t nodes, size_t polygons,
-                                    const int *counts, const SHI_T *vertices, const SHI_T *radiance,
-                                    SHI_T *out)
+SH_API int SHI_FN(sh_polygons_grid)(int bands, int planes, int channels, int sides, const SHI_FN(sh_grid) *grid, size_t first,
+                                    size_t nodes, size_t polygons, const int *counts, const SHI_T *vertices,
+                                    const SHI_T *radiance, SHI_T *out)
 {
     int status;
     if (!grid) return SH_ERROR_NULL;
@@ -5830,18 +5760,14 @@ SHI_INLINE void shi_zonal_steps(int n, double *steps)
     }
 }
 
-SHI_NOINLINE int shi_polygon_zonal_engine(int bands, int tight, const double axis[3], const double point[3],
-                                          size_t count, const void *vertices, int floats, double *s,
-                                          double *grad)
+SHI_NOINLINE int shi_polygon_zonal_engine(int bands, int tight, const double axis[3], const double point[3], size_t count,
+                                          const void *vertices, int floats, double *s, double *grad)
 {
-    double c[SH_MAX_POLYGON_BANDS * SH_MAX_POLYGON_BANDS], g[3 * SH_MAX_POLYGON_BANDS * SH_MAX_POLYGON_BANDS],
-        spread;
+    double c[SH_MAX_POLYGON_BANDS * SH_MAX_POLYGON_BANDS], g[3 * SH_MAX_POLYGON_BANDS * SH_MAX_POLYGON_BANDS], spread;
     const int size = bands * bands;
-    int l, k, i,
-        status = shi_polygon_engine(1, SH_BOTH, tight, point, count, vertices, floats, c, NULL, &spread);
+    int l, k, i, status = shi_polygon_engine(1, SH_BOTH, tight, point, count, vertices, floats, c, NULL, &spread);
     if (status == SH_OK && spread >= (tight ? 0.25 : 1e-6)) {
-        double edge[14], steps[5 * SH_MAX_POLYGON_BANDS], sums[SH_MAX_POLYGON_BANDS],
-            slopes[3 * SH_MAX_POLYGON_BANDS], sign;
+        double edge[14], steps[5 * SH_MAX_POLYGON_BANDS], sums[SH_MAX_POLYGON_BANDS], slopes[3 * SH_MAX_POLYGON_BANDS], sign;
         shi_scene scene;
         size_t e;
         shi_scene_open(&scene, point, count, vertices, floats);
@@ -5860,8 +5786,7 @@ SHI_NOINLINE int shi_polygon_zonal_engine(int bands, int tight, const double axi
         return SH_OK;
     }
     /* small, in the plane: from the coefficients, by the addition theorem */
-    status = shi_polygon_engine(bands, SH_BOTH, tight, point, count, vertices, floats, c, grad ? g : NULL,
-                                NULL);
+    status = shi_polygon_engine(bands, SH_BOTH, tight, point, count, vertices, floats, c, grad ? g : NULL, NULL);
     {
         double y[SH_MAX_POLYGON_BANDS * SH_MAX_POLYGON_BANDS];
         sh_eval_f64(bands, axis, y);
@@ -5880,21 +5805,18 @@ SHI_NOINLINE int shi_polygon_zonal_engine(int bands, int tight, const double axi
 
 #endif /* SHI_BITS == 64 */
 
-/* Integrals of P_l(axis . u) over the directions u of a polygon, s[bands], and their gradient by the point,
- * grad[3][bands] (NULL: none); from both sides. The zonal harmonics about the axis are sqrt((2l+1)/(4 pi))
- * s[l].
+/* Integrals of P_l(axis . u) over the directions u of a polygon, s[bands], and their gradient by the point, grad[3][bands] (NULL:
+ * none); from both sides. The zonal harmonics about the axis are sqrt((2l+1)/(4 pi)) s[l].
  *   axis  any length but zero
  * Error:  64 eps sum |Omega_fan| (|P_l| <= 1), gradient 64 eps sum_fan (|grad Omega_fan| + sqrt(l(l+1)/2)
  *         Omega_fan/d).
- * Source: WR18 Eq. 20-32 in the robust form, and the recurrence of its gradient; below a solid angle where
- * the recurrence
+ * Source: WR18 Eq. 20-32 in the robust form, and the recurrence of its gradient; below a solid angle where the recurrence
  *         has lost its digits, from sh_polygon's coefficients. */
-SH_API int SHI_FN(sh_polygon_zonal)(int bands, const SHI_T axis[3], const SHI_T point[3], size_t count,
-                                    const SHI_T *vertices, SHI_T *s, SHI_T *grad)
+SH_API int SHI_FN(sh_polygon_zonal)(int bands, const SHI_T axis[3], const SHI_T point[3], size_t count, const SHI_T *vertices,
+                                    SHI_T *s, SHI_T *grad)
 {
     double a[3], p[3], out[SH_MAX_POLYGON_BANDS], g[3 * SH_MAX_POLYGON_BANDS], size = 0;
-    int k, status = axis && s ? SHI_FN(shi_polygon_check)(bands, SH_BOTH, point, count, vertices)
-                              : SH_ERROR_NULL;
+    int k, status = axis && s ? SHI_FN(shi_polygon_check)(bands, SH_BOTH, point, count, vertices) : SH_ERROR_NULL;
     if (!status) status = SHI_FN(shi_polygon_outputs)((size_t)bands, point, count, vertices, s, grad);
     if (status) return status;
     if (!SHI_FN(shi_finite)(axis, 3)) return SH_ERROR_NOT_FINITE;
@@ -5907,8 +5829,7 @@ SH_API int SHI_FN(sh_polygon_zonal)(int bands, const SHI_T axis[3], const SHI_T 
     for (k = 0; k < 3; k++) a[k] /= size;
     size = sqrt(a[0] * a[0] + a[1] * a[1] + a[2] * a[2]);
     for (k = 0; k < 3; k++) a[k] /= size;
-    status = shi_polygon_zonal_engine(bands, SHI_BITS == 64, a, p, count, vertices, SHI_BITS == 32, out,
-                                      grad ? g : NULL);
+    status = shi_polygon_zonal_engine(bands, SHI_BITS == 64, a, p, count, vertices, SHI_BITS == 32, out, grad ? g : NULL);
     SHI_FN(shi_polygon_store)((size_t)bands, out, s);
     if (grad) SHI_FN(shi_polygon_store)(3 * (size_t)bands, g, grad);
     return status;
@@ -5938,12 +5859,11 @@ SHI_INLINE int SHI_FN(shi_lobe_set)(int bands, const double **dirs, const double
     return sizes[i];
 }
 
-/* One channel, one point: S_l of all polygons at the lobes, then the weights once. sums: 4 n vectors per
- * vector of lobes. */
-SHI_INLINE int SHI_FN(shi_zonal_point)(int n, int planes, int sides, const SHI_T x[3], size_t polygons,
-                                       const int *counts, const SHI_T *vertices, const SHI_T *radiance,
-                                       int vectors, const SHI_MANY(shi_vector) *dirs, const SHI_T *weights,
-                                       const double *exact_steps, SHI_MANY(shi_vector) *sums, SHI_T *out)
+/* One channel, one point: S_l of all polygons at the lobes, then the weights once. sums: 4 n vectors per vector of lobes. */
+SHI_INLINE int SHI_FN(shi_zonal_point)(int n, int planes, int sides, const SHI_T x[3], size_t polygons, const int *counts,
+                                       const SHI_T *vertices, const SHI_T *radiance, int vectors,
+                                       const SHI_MANY(shi_vector) *dirs, const SHI_T *weights, const double *exact_steps,
+                                       SHI_MANY(shi_vector) *sums, SHI_T *out)
 {
     const int size = n * n;
     const SHI_T *v = vertices;
@@ -5959,11 +5879,9 @@ SHI_INLINE int SHI_FN(shi_zonal_point)(int n, int planes, int sides, const SHI_T
         double omega, signed_omega, c[1];
         SHI_T f;
         shi_scene scene;
-        int one = shi_polygon_engine(1, SH_SIGNED, 0, point, (size_t)counts[g], v, SHI_BITS == 32, c, NULL,
-                                     &omega);
+        int one = shi_polygon_engine(1, SH_SIGNED, 0, point, (size_t)counts[g], v, SHI_BITS == 32, c, NULL, &omega);
         if (one > 0 || omega == 0) {                        /* in the plane: rare */
-            double value[SH_MAX_POLYGON_BANDS * SH_MAX_POLYGON_BANDS],
-                grad[3 * SH_MAX_POLYGON_BANDS * SH_MAX_POLYGON_BANDS];
+            double value[SH_MAX_POLYGON_BANDS * SH_MAX_POLYGON_BANDS], grad[3 * SH_MAX_POLYGON_BANDS * SH_MAX_POLYGON_BANDS];
             if (!any) memset(extra, 0, (size_t)(4 * size) * sizeof extra[0]);
             any = 1;
             if (one > status) status = one;
@@ -5991,8 +5909,7 @@ SHI_INLINE int SHI_FN(shi_zonal_point)(int n, int planes, int sides, const SHI_T
                 SHI_MANY(shi_vector) *const to = sums + d * 4 * n;
                 for (l = 0; l < n; l++) one_s[l] = SHI_MANY(shi_splat)(0);
                 for (l = 0; planes == SH_GRADIENT && l < 3 * n; l++) one_g[l] = SHI_MANY(shi_splat)(0);
-                SHI_MANY(shi_polygon_zonal_edge)(n, dirs + 3 * d, edge, steps, one_s,
-                                                 planes == SH_GRADIENT ? one_g : NULL);
+                SHI_MANY(shi_polygon_zonal_edge)(n, dirs + 3 * d, edge, steps, one_s, planes == SH_GRADIENT ? one_g : NULL);
                 for (l = 1; l < n; l++) to[l] += f * one_s[l];
                 for (l = 0; planes == SH_GRADIENT && l < 3 * n; l++) to[n + l] += f * one_g[l];
             }
@@ -6014,9 +5931,9 @@ SHI_INLINE int SHI_FN(shi_zonal_point)(int n, int planes, int sides, const SHI_T
  *                                   absolute, so that
  *         relative accuracy falls with the square of size/distance (100 % at 1e-4 in float).
  * Source: WR18 Algorithm 1, Eq. 20-33; lobes and weights by tools/gen_lobes.py. */
-SH_API int SHI_FN(sh_polygons_zonal_n)(int bands, int planes, int channels, int sides, size_t points,
-                                       const SHI_T *point, size_t polygons, const int *counts,
-                                       const SHI_T *vertices, const SHI_T *radiance, SHI_T *out)
+SH_API int SHI_FN(sh_polygons_zonal_n)(int bands, int planes, int channels, int sides, size_t points, const SHI_T *point,
+                                       size_t polygons, const int *counts, const SHI_T *vertices, const SHI_T *radiance,
+                                       SHI_T *out)
 {
     enum { W = SHI_MANY(shi_polygon_lanes), MOST = (31 + W - 1) / W };
     const double *set_dirs, *set_weights;
@@ -6071,9 +5988,8 @@ SHI_INLINE void SHI_FN(shi_quad_corner)(const SHI_T *quad, int width, int height
         out[k] = v1 * (u1 * quad[k] + u * quad[3 + k]) + v * (u1 * quad[9 + k] + u * quad[6 + k]);
 }
 
-/* A quadrilateral with a texture, as polygons of one radiance each: texels that differ by no more than a
- * tolerance merge, by a quadtree over the texture (WR18 Fig. 10; M22's future work). The result is what
- * sh_polygons_n takes.
+/* A quadrilateral with a texture, as polygons of one radiance each: texels that differ by no more than a tolerance merge, by a
+ * quadtree over the texture (WR18 Fig. 10; M22's future work). The result is what sh_polygons_n takes.
  *
  *   quad       [4][3], planar, convex; texel (0,0) lies at corner 0, x runs to corner 1, y to corner 3
  *   texels     [height][width][channels]
@@ -6085,13 +6001,10 @@ SHI_INLINE void SHI_FN(shi_quad_corner)(const SHI_T *quad, int width, int height
  *   counts     [pieces], all 4;  vertices [pieces][4][3];  radiance [channels][pieces]: the means; stride
  *                                *pieces
  *
- * Call it once with NULLs for the number, again with arrays. Pieces without light in any channel are left
- * out.
- * Error: |sum of pieces - sum of texels| <= tolerance times the norm of the whole quad's coefficients, per
- * channel. */
-SH_API int SHI_FN(sh_textured_quad)(const SHI_T quad[12], int width, int height, int channels,
-                                    const SHI_T *texels, SHI_T tolerance, size_t most, size_t *pieces,
-                                    int *counts, SHI_T *vertices, SHI_T *radiance)
+ * Call it once with NULLs for the number, again with arrays. Pieces without light in any channel are left out.
+ * Error: |sum of pieces - sum of texels| <= tolerance times the norm of the whole quad's coefficients, per channel. */
+SH_API int SHI_FN(sh_textured_quad)(const SHI_T quad[12], int width, int height, int channels, const SHI_T *texels,
+                                    SHI_T tolerance, size_t most, size_t *pieces, int *counts, SHI_T *vertices, SHI_T *radiance)
 {
     /* a stack of rectangles x0 y0 x1 y1: depth first, three siblings wait per level */
     int stack[4 * 3 * 34], top = 0, pass, c, x, y, k;
@@ -6139,8 +6052,7 @@ SH_API int SHI_FN(sh_textured_quad)(const SHI_T quad[12], int width, int height,
             if (!flat && (x1 - x0 > 1 || y1 - y0 > 1)) {
                 const int xm = x1 - x0 > 1 ? (x0 + x1) / 2 : x1, ym = y1 - y0 > 1 ? (y0 + y1) / 2 : y1;
                 for (k = 3; k >= 0; k--) {
-                    const int ax = k & 1 ? xm : x0, bx = k & 1 ? x1 : xm, ay = k & 2 ? ym : y0,
-                              by = k & 2 ? y1 : ym;
+                    const int ax = k & 1 ? xm : x0, bx = k & 1 ? x1 : xm, ay = k & 2 ? ym : y0, by = k & 2 ? y1 : ym;
                     if (ax == bx || ay == by) continue;
                     stack[top++] = ax;
                     stack[top++] = ay;
@@ -6156,8 +6068,7 @@ SH_API int SHI_FN(sh_textured_quad)(const SHI_T quad[12], int width, int height,
                     double sum = 0;
                     for (y = y0; y < y1; y++)
                         for (x = x0; x < x1; x++)
-                            sum += (double)texels[((size_t)y * (size_t)width + (size_t)x) * (size_t)channels
-                                                  + (size_t)c];
+                            sum += (double)texels[((size_t)y * (size_t)width + (size_t)x) * (size_t)channels + (size_t)c];
                     radiance[(size_t)c * total + n] = (SHI_T)(sum / ((double)(x1 - x0) * (double)(y1 - y0)));
                 }
                 counts[n] = 4;
