@@ -3735,6 +3735,10 @@ static const double shi_triangle_rules[11][3] = {
     { 0.05971587178976982, 0.47014206410511509, 0.066197076394253095 },
     { 0.47014206410511509, 0.05971587178976982, 0.066197076394253095 }
 };
+/* of shi_rules, float and double: (bands + 1) times the angular diameter up to which a rule keeps the bound */
+static const double shi_rule_limits[2][11] = {
+    { 4e-4, 0.02, 0.7, 1.4 },
+    { 1e-8, 1e-5, 4e-3, 0.02, 0.06, 0.15, 0.3, 0.55, 0.9, 1.3, 1.8 } };
 
 #define SHI_FILE SH_POLYGON_FILENAME
 #define SHI_ROOM SHI_INSTANTIATE
@@ -3768,14 +3772,21 @@ SHI_INLINE void SHI_FN(shi_fan_normal)(const SHI_T *a, const SHI_T *b, const SHI
 #endif
 }
 
-/* What a polygon is from everywhere: its mean vertex, its radius about that, normals of the fan (count-2; or NULL). */
-typedef struct { SHI_T center[3], radius; const double *normal; } SHI_FN(shi_shape);
+/* What a polygon is from everywhere: its vertices, their mean, its radius about that, normals of the fan (count-2; or NULL). */
+typedef struct {
+    size_t count;
+    const SHI_T *v;
+    SHI_T center[3], radius;
+    const double *normal;
+} SHI_FN(shi_shape);
 
 SHI_INLINE void SHI_FN(shi_measure)(size_t count, const SHI_T *v, double *normal, SHI_FN(shi_shape) *o)
 {
     SHI_T sum[3] = { 0, 0, 0 }, most = 0;
     size_t i;
     int k;
+    o->count = count;
+    o->v = v;
     for (i = 0; i < count; i++)
         for (k = 0; k < 3; k++) sum[k] += v[3 * i + (size_t)k];
     for (k = 0; k < 3; k++) o->center[k] = sum[k] / SHI_C(count);
@@ -3791,16 +3802,15 @@ SHI_INLINE void SHI_FN(shi_measure)(size_t count, const SHI_T *v, double *normal
         SHI_FN(shi_fan_normal)(v, v + 3 * i, v + 3 * i + 3, normal + 3 * (i - 1));
 }
 /* ... of triangle 0, i, i+1 */
-SHI_INLINE const double *SHI_FN(shi_shape_normal)(const SHI_FN(shi_shape) *s, const SHI_T *v, size_t i, double own[3])
+SHI_INLINE const double *SHI_FN(shi_shape_normal)(const SHI_FN(shi_shape) *s, size_t i, double own[3])
 {
     if (s->normal) return s->normal + 3 * (i - 1);
-    SHI_FN(shi_fan_normal)(v, v + 3 * i, v + 3 * i + 3, own);
+    SHI_FN(shi_fan_normal)(s->v, s->v + 3 * i, s->v + 3 * i + 3, own);
     return own;
 }
 
-/* Rules for small triangles, in barycentric coordinates of the second and third vertex, weights summing to
- * 1/2: 1 point, 3 points (degree 2), 7 points (degree 5), then k x k Gauss points (degree 2k-2). `limit`:
- * bands times angular diameter up to which a rule keeps the bound. */
+/* Rules for small triangles, in barycentric coordinates of the second and third vertex, weights summing to 1/2: 1 point,
+ * 3 points (degree 2), 7 points (degree 5), then k x k Gauss points (degree 2k-2). */
 #define SHI_RULES (SHI_BITS == 32 ? 4 : 11)
 typedef struct {
     int made, start[12];
@@ -3846,6 +3856,13 @@ SHI_NOINLINE void SHI_FN(shi_make_rules)(SHI_FN(shi_rules) *r)
 
 enum { SHI_KN(shi_polygon_lanes) = SHI_W };
 
+/* q of the next degree, and p of this one */
+SHI_KERNEL void SHI_KN(shi_polygon_climb)(SHI_V z, SHI_T beta, SHI_V *q, SHI_V *p)
+{
+    const SHI_V next = z * *q - beta * *p;
+    *p = *q;
+    *q = next;
+}
 /* s[l < ns] += w q U, t[l < nt] += v q U over nodes {x, y, z, w, v}; groups (of W nodes) is even */
 SHI_KERNEL void SHI_KN(shi_polygon_sums_of)(int ns, int nt, int groups, const SHI_V *node, SHI_V *s, SHI_V *t)
 {
@@ -3856,17 +3873,13 @@ SHI_KERNEL void SHI_KN(shi_polygon_sums_of)(int ns, int nt, int groups, const SH
         SHI_V c0 = SHI_SPLAT(1), d0 = SHI_SPLAT(0), c1, d1, *from_s = s + 2 * ns, *from_t = t + 2 * nt;
         {   /* m = 0: U = 1, V = 0 */
             const SHI_T *const beta = SHI_FN(shi_beta);
-            SHI_V q0 = c0, p0 = d0, q1 = c0, p1 = d0, r;
+            SHI_V q0 = c0, p0 = d0, q1 = c0, p1 = d0;
             for (l = 0; l < n; l++) {
                 const SHI_T k = beta[SHI_ROWS(l + 1, 0)];
                 if (l < ns) s[2 * l] += q0 * node[3] + q1 * node[8];
                 if (l < nt) t[2 * l] += q0 * node[4] + q1 * node[9];
-                r = z0 * q0 - k * p0;
-                p0 = q0;
-                q0 = r;
-                r = z1 * q1 - k * p1;
-                p1 = q1;
-                q1 = r;
+                SHI_KN(shi_polygon_climb)(z0, k, &q0, &p0);
+                SHI_KN(shi_polygon_climb)(z1, k, &q1, &p1);
             }
         }
         c0 = x0;
@@ -3877,7 +3890,7 @@ SHI_KERNEL void SHI_KN(shi_polygon_sums_of)(int ns, int nt, int groups, const SH
             const SHI_V wc0 = node[3] * c0, vc0 = node[4] * c0, wc1 = node[8] * c1, vc1 = node[9] * c1;
             const SHI_V wd0 = node[3] * d0, vd0 = node[4] * d0, wd1 = node[8] * d1, vd1 = node[9] * d1;
             const SHI_T *const beta = SHI_FN(shi_beta);
-            SHI_V q0 = SHI_SPLAT(1), p0 = SHI_SPLAT(0), q1 = q0, p1 = p0, r;
+            SHI_V q0 = SHI_SPLAT(1), p0 = SHI_SPLAT(0), q1 = q0, p1 = p0;
             SHI_V *a = from_s, *b = from_t;
             if (m < ns) from_s += 2 * (ns - m);
             if (m < nt) from_t += 2 * (nt - m);
@@ -3889,12 +3902,8 @@ SHI_KERNEL void SHI_KN(shi_polygon_sums_of)(int ns, int nt, int groups, const SH
                 b[1] += q0 * vd0 + q1 * vd1;
                 a += 2;
                 b += 2;
-                r = z0 * q0 - k * p0;
-                p0 = q0;
-                q0 = r;
-                r = z1 * q1 - k * p1;
-                p1 = q1;
-                q1 = r;
+                SHI_KN(shi_polygon_climb)(z0, k, &q0, &p0);
+                SHI_KN(shi_polygon_climb)(z1, k, &q1, &p1);
             }
             for (; l < n; l++) {
                 const SHI_T k = beta[SHI_ROWS(l + 1, m)];
@@ -3907,12 +3916,8 @@ SHI_KERNEL void SHI_KN(shi_polygon_sums_of)(int ns, int nt, int groups, const SH
                     b[1] += q0 * vd0 + q1 * vd1;
                     b += 2;
                 }
-                r = z0 * q0 - k * p0;
-                p0 = q0;
-                q0 = r;
-                r = z1 * q1 - k * p1;
-                p1 = q1;
-                q1 = r;
+                SHI_KN(shi_polygon_climb)(z0, k, &q0, &p0);
+                SHI_KN(shi_polygon_climb)(z1, k, &q1, &p1);
             }
             SHI_KN(shi_turn)(x0, y0, &c0, &d0);
             SHI_KN(shi_turn)(x1, y1, &c1, &d1);
@@ -4063,14 +4068,21 @@ SHI_INLINE void SHI_KN(shi_polygon_finish)(int n, int planes, int surface, const
 
 /* ---- many points: lanes are points ---- */
 
+SHI_KERNEL SHI_V SHI_KN(shi_polygon_dot)(const SHI_V a[3], const SHI_V b[3]) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+SHI_KERNEL void SHI_KN(shi_polygon_cross)(const SHI_V a[3], const SHI_V b[3], SHI_V c[3])
+{
+    c[0] = a[1] * b[2] - a[2] * b[1];
+    c[1] = a[2] * b[0] - a[0] * b[2];
+    c[2] = a[0] * b[1] - a[1] * b[0];
+}
+
 /* atan z, 0 <= z <= 1: float by 9 terms (relative error 1.8e-8), double after one half-angle step by 12 (1.3e-18).
  * The terms are mpmath.chebyfit(lambda k: atan(sqrt(k))/sqrt(k), [0, 1 or tan(pi/8)^2], 9 or 12). */
 SHI_KERNEL SHI_V SHI_KN(shi_polygon_atan)(SHI_V z)
 {
 #if SHI_BITS == 32
-    static const float term[9] = { 0.99999998178865573f, -0.33333036709286276f, 0.19991872029109072f,
-        -0.14197797794085123f, 0.10618370636953849f, -0.074568548260045474f, 0.042137623589193041f,
-        -0.015731249122183653f, 0.002766283501762026f };
+    static const float term[9] = { 0.99999998178865573f, -0.33333036709286276f, 0.19991872029109072f, -0.14197797794085123f,
+        0.10618370636953849f, -0.074568548260045474f, 0.042137623589193041f, -0.015731249122183653f, 0.002766283501762026f };
     const SHI_V u = z, k = u * u;
     SHI_V p = SHI_SPLAT(term[8]);
     int i;
@@ -4100,8 +4112,8 @@ SHI_KERNEL SHI_V SHI_KN(shi_polygon_angle)(SHI_V y, SHI_V x)
     return SHI_SELECT(x < SHI_SPLAT(0), SHI_C(SHI_PI) - b, b);
 }
 
-/* sine and cosine of a in [0, pi/2]: mpmath.chebyfit of sin(sqrt(k))/sqrt(k) and cos(sqrt(k)) on [0,
- * (pi/2)^2], 5 and 6 terms for float (errors 4.3e-9, 2.3e-10), 10 and 10 for double (7e-21) */
+/* sine and cosine of a in [0, pi/2]: mpmath.chebyfit of sin(sqrt(k))/sqrt(k) and cos(sqrt(k)) on [0, (pi/2)^2], 5 and 6 terms
+ * for float (errors 4.3e-9, 2.3e-10), 10 and 10 for double (7e-21) */
 SHI_KERNEL void SHI_KN(shi_polygon_turn)(SHI_V a, SHI_V *c, SHI_V *s)
 {
 #if SHI_BITS == 32
@@ -4140,6 +4152,7 @@ SHI_KERNEL SHI_V SHI_KN(shi_polygon_height)(const SHI_V x[3], const SHI_T v[3], 
 
 enum { SHI_KN(shi_nodes_at_once) = 32 };
 #define SHI_NOT(m) ((SHI_M)((m) == ((m) ^ (m))))      /* lanes are -1 or 0, a scalar's mask 1 or 0 */
+#define SHI_END_ON2 (SHI_BITS == 32 ? SHI_C(1e-37) : SHI_C(1e-300 * (SHI_BITS == 64)))    /* largest |A x E|^2 seen end on */
 
 /* a vertex seen from W points: the vector to it, its direction, 1/distance */
 typedef struct { SHI_V a[3], w[3], inverse; } SHI_KN(shi_seen);
@@ -4150,45 +4163,51 @@ SHI_KERNEL void SHI_KN(shi_polygon_see)(const SHI_V x[3], const SHI_T *v, SHI_KN
     SHI_V r2;
     int k;
     for (k = 0; k < 3; k++) o->a[k] = v[k] - x[k];
-    r2 = o->a[0] * o->a[0] + o->a[1] * o->a[1] + o->a[2] * o->a[2];
+    r2 = SHI_KN(shi_polygon_dot)(o->a, o->a);
     o->inverse = one / SHI_SQRT(SHI_SELECT(r2 > SHI_SPLAT(0), r2, one));
     for (k = 0; k < 3; k++) o->w[k] = o->a[k] * o->inverse;
 }
 
-/* an edge seen from W points: the middle of its arc, the direction along it, its normal mu (0: seen end on),
- * half its angle; 1/|p| = k0 cos + k1 sin of the angle from the middle */
+/* A x E of the edge E from A at p to q; the product with the nearer end is rounded less */
+SHI_KERNEL void SHI_KN(shi_polygon_normal)(const SHI_KN(shi_seen) *p, const SHI_KN(shi_seen) *q, const SHI_T e[3], SHI_V n[3])
+{
+    const SHI_M later = (SHI_M)(q->inverse > p->inverse);
+    const SHI_V x = SHI_SELECT(later, q->a[0], p->a[0]), y = SHI_SELECT(later, q->a[1], p->a[1]);
+    const SHI_V z = SHI_SELECT(later, q->a[2], p->a[2]);
+    n[0] = y * e[2] - z * e[1];
+    n[1] = z * e[0] - x * e[2];
+    n[2] = x * e[1] - y * e[0];
+}
+
+/* an edge seen from W points: the middle of its arc, the direction along it, its normal mu (0: seen end on), half its angle;
+ * 1/|p| = k0 cos + k1 sin of the angle from the middle */
 typedef struct { SHI_V mid[3], along[3], mu[3], half, k0, k1; } SHI_KN(shi_arc_seen);
 
-/* Returns the cosine of the arc; marks lanes whose point lies on the edge in *bad. */
+/* Returns the cosine of the arc; marks lanes whose point lies on the edge in *bad: |A x E| up to end_on, or |A| at_vertex. */
 SHI_KERNEL SHI_V SHI_KN(shi_polygon_arc)(const SHI_KN(shi_seen) *p, const SHI_KN(shi_seen) *q, const SHI_T e[3], SHI_T end_on,
                                          SHI_T at_vertex, SHI_KN(shi_arc_seen) *o, SHI_M *bad)
 {
-    const SHI_V *const a = p->a, *const b = q->a, *const w = p->w, zero = SHI_SPLAT(0), one = SHI_SPLAT(1);
-    const SHI_T least = SHI_BITS == 32 ? SHI_C(1e-37) : SHI_C(1e-300 * (SHI_BITS == 64));
-    const SHI_M later = (SHI_M)(q->inverse > p->inverse);       /* the nearer end's product is rounded less */
-    const SHI_V fx = SHI_SELECT(later, b[0], a[0]), fy = SHI_SELECT(later, b[1], a[1]);
-    const SHI_V fz = SHI_SELECT(later, b[2], a[2]);
-    const SHI_V nx = fy * e[2] - fz * e[1], ny = fz * e[0] - fx * e[2], nz = fx * e[1] - fy * e[0];
-    const SHI_V dot = a[0] * b[0] + a[1] * b[1] + a[2] * b[2], both = p->inverse * q->inverse;
-    const SHI_V n2 = nx * nx + ny * ny + nz * nz, cross = SHI_ABS(nx) + SHI_ABS(ny) + SHI_ABS(nz);
-    const SHI_M seen = (SHI_M)(n2 > SHI_SPLAT(least));
-    const SHI_V inverse = SHI_SELECT(seen, one, zero) / SHI_SQRT(SHI_SELECT(seen, n2, one));
-    const SHI_V c = dot * both, den = one + SHI_ABS(c),
-                t = n2 * inverse * both; /* cosine and sine of the arc */
-    const SHI_V s = SHI_SELECT(t < den, t, den), r = SHI_SQRT(SHI_C(0.5) * den), other = SHI_C(0.5) * s / r;
-    const SHI_V h = SHI_KN(shi_polygon_atan)(s / den);
+    const SHI_V *const a = p->a, *const w = p->w, zero = SHI_SPLAT(0), one = SHI_SPLAT(1), both = p->inverse * q->inverse;
+    const SHI_V dot = SHI_KN(shi_polygon_dot)(a, q->a), c = dot * both, den = one + SHI_ABS(c);
     const SHI_M wide = (SHI_M)(c < zero);
-    const SHI_V ch = SHI_SELECT(wide, other, r), sh = SHI_SELECT(wide, r, other);
-    SHI_V la[3], k1;
+    SHI_V n[3], n2, inverse, s, r, other, h, ch, sh, la[3], k1;
+    SHI_M seen;
     int k;
-    *bad |= ((SHI_M)(cross <= SHI_SPLAT(end_on)) & (SHI_M)(dot <= zero))
+    SHI_KN(shi_polygon_normal)(p, q, e, n);
+    n2 = SHI_KN(shi_polygon_dot)(n, n);
+    *bad |= ((SHI_M)(SHI_ABS(n[0]) + SHI_ABS(n[1]) + SHI_ABS(n[2]) <= SHI_SPLAT(end_on)) & (SHI_M)(dot <= zero))
           | (SHI_M)(SHI_ABS(a[0]) + SHI_ABS(a[1]) + SHI_ABS(a[2]) < SHI_SPLAT(at_vertex));
-    o->mu[0] = nx * inverse;
-    o->mu[1] = ny * inverse;
-    o->mu[2] = nz * inverse;
-    la[0] = o->mu[1] * w[2] - o->mu[2] * w[1];
-    la[1] = o->mu[2] * w[0] - o->mu[0] * w[2];
-    la[2] = o->mu[0] * w[1] - o->mu[1] * w[0];
+    seen = (SHI_M)(n2 > SHI_SPLAT(SHI_END_ON2));
+    inverse = SHI_SELECT(seen, one, zero) / SHI_SQRT(SHI_SELECT(seen, n2, one));
+    s = n2 * inverse * both;                                /* the sine of the arc; of half of it: */
+    s = SHI_SELECT(s < den, s, den);
+    r = SHI_SQRT(SHI_C(0.5) * den);
+    other = SHI_C(0.5) * s / r;
+    h = SHI_KN(shi_polygon_atan)(s / den);
+    ch = SHI_SELECT(wide, other, r);
+    sh = SHI_SELECT(wide, r, other);
+    for (k = 0; k < 3; k++) o->mu[k] = n[k] * inverse;
+    SHI_KN(shi_polygon_cross)(o->mu, w, la);
     k1 = -((e[0] * w[0] + e[1] * w[1] + e[2] * w[2]) * inverse);
     for (k = 0; k < 3; k++) {
         o->mid[k] = ch * w[k] + sh * la[k];
@@ -4200,12 +4219,12 @@ SHI_KERNEL SHI_V SHI_KN(shi_polygon_arc)(const SHI_KN(shi_seen) *p, const SHI_KN
     return c;
 }
 
-/* Sums along an arc, for the lanes of `wide`: s[l < ns] of Y dt, t[l < nt] of Y/|p| dt. The nodes come in
- * pairs about the middle, as many as the longest arc needs. */
+/* Sums along an arc, for the lanes of `wide`: s[l < ns] of Y dt, t[l < nt] of Y/|p| dt. The nodes come in pairs about the
+ * middle, as many as the longest arc needs. */
 SHI_KERNEL void SHI_KN(shi_polygon_arc_sums)(int n, int ns, int nt, const SHI_KN(shi_arc_seen) *arc, SHI_M wide, SHI_V *s,
                                              SHI_V *t)
 {
-    static const SHI_T limit[8] = {                             /* shi_gauss_count's, of 2, 4 .. 16 nodes */
+    static const SHI_T limit[8] = {                         /* shi_gauss_count's, of 2, 4 .. 16 nodes */
 #if SHI_BITS == 32
         SHI_C(0.063), SHI_C(0.881), SHI_C(2.56), SHI_C(4.74), SHI_C(7.19), SHI_C(9.87), SHI_C(12.7), SHI_C(15.8) };
 #else
@@ -4262,7 +4281,7 @@ SHI_KERNEL void SHI_KN(shi_polygon_spread_of)(int edges, int size, const SHI_V *
         out[2 * size + i] = z;
     }
 }
-SHI_INLINE void SHI_KN(shi_polygon_spread)(int edges, int size, const SHI_V *m, const SHI_V *s, SHI_V *out)
+SHI_KERNEL void SHI_KN(shi_polygon_spread)(int edges, int size, const SHI_V *m, const SHI_V *s, SHI_V *out)
 {
     for (; edges >= 4; edges -= 4, m += 12, s += 4 * size) SHI_KN(shi_polygon_spread_of)(4, size, m, s, out);
     if (edges == 3) SHI_KN(shi_polygon_spread_of)(3, size, m, s, out);
@@ -4270,55 +4289,44 @@ SHI_INLINE void SHI_KN(shi_polygon_spread)(int edges, int size, const SHI_V *m, 
     else if (edges == 1) SHI_KN(shi_polygon_spread_of)(1, size, m, s, out);
 }
 
-/* Solid angle modulo 2 pi from the exterior angles, the multiple from `guess`. */
-SHI_INLINE SHI_V SHI_KN(shi_polygon_turning)(const SHI_V x[3], size_t count, const SHI_T *v, SHI_V guess)
+/* Solid angle modulo 2 pi from the exterior angles, the multiple from `guess`: rarely needed. */
+SHI_NOINLINE SHI_V SHI_KN(shi_polygon_turning)(const SHI_V x[3], size_t count, const SHI_T *v, SHI_V guess)
 {
-    const SHI_T whole = SHI_C(SHI_TAU), half = SHI_C(SHI_PI);
-    const SHI_T least = SHI_BITS == 32 ? SHI_C(1e-37) : SHI_C(1e-300 * (SHI_BITS == 64));
-    const SHI_V zero = SHI_SPLAT(0), one = SHI_SPLAT(1);
+    const SHI_T half = SHI_C(SHI_PI);
+    const SHI_V zero = SHI_SPLAT(0), one = SHI_SPLAT(1), whole = SHI_SPLAT(SHI_C(SHI_TAU));
     SHI_V first[3], before[3], corner[3], turn_c = one, turn_s = zero, angle, exact;
-    SHI_M any = (SHI_M)(zero != zero);                          /* lanes that have seen an edge */
+    SHI_M any = (SHI_M)(zero != zero);                      /* lanes that have seen an edge */
+    SHI_KN(shi_seen) a, b;
     size_t i;
     int k;
     for (k = 0; k < 3; k++) first[k] = before[k] = corner[k] = zero;
-    for (i = 0; i <= count; i++) { /* at vertex i, between the last edge seen and this one */
-        const SHI_T *from = v + 3 * (i < count ? i : 0), *to = i + 1 < count ? v + 3 * i + 3 : v;
-        SHI_KN(shi_seen) a;
-        SHI_T e[3];
-        SHI_V mu[3], n2, inverse, c[3], y, z, tc, ts;
-        SHI_M seen, start;
+    SHI_KN(shi_polygon_see)(x, v, &b);
+    for (i = 0; i <= count; i++) {                          /* at vertex i, between the last edge seen and this one */
+        SHI_V mu[3], c[3], n2, inverse, y, z, tc, ts;
+        SHI_M seen = any, start;
+        a = b;
         if (i < count) {
-            SHI_KN(shi_polygon_see)(x, from, &a);
+            const SHI_T *const from = v + 3 * i, *const to = i + 1 < count ? from + 3 : v;
+            SHI_T e[3];
             for (k = 0; k < 3; k++) e[k] = to[k] - from[k];
-            {
-                SHI_KN(shi_seen) b;                             /* as shi_polygon_arc: the nearer end */
-                SHI_M later;
-                SHI_KN(shi_polygon_see)(x, to, &b);
-                later = (SHI_M)(b.inverse > a.inverse);
-                for (k = 0; k < 3; k++) b.a[k] = SHI_SELECT(later, b.a[k], a.a[k]);
-                for (k = 0; k < 3; k++)
-                    mu[k] = b.a[(k + 1) % 3] * e[(k + 2) % 3] - b.a[(k + 2) % 3] * e[(k + 1) % 3];
-            }
-            n2 = mu[0] * mu[0] + mu[1] * mu[1] + mu[2] * mu[2];
-            seen = (SHI_M)(n2 > SHI_SPLAT(least));
+            SHI_KN(shi_polygon_see)(x, to, &b);
+            SHI_KN(shi_polygon_normal)(&a, &b, e, mu);
+            n2 = SHI_KN(shi_polygon_dot)(mu, mu);
+            seen = (SHI_M)(n2 > SHI_SPLAT(SHI_END_ON2));
             inverse = one / SHI_SQRT(SHI_SELECT(seen, n2, one));
-            for (k = 0; k < 3; k++) mu[k] = mu[k] * inverse;
-        } else {                                                /* back at the first edge seen */
-            seen = any;
-            for (k = 0; k < 3; k++) {
-                mu[k] = first[k];
-                a.w[k] = corner[k];
-            }
+            for (k = 0; k < 3; k++) mu[k] *= inverse;
+        } else {                                            /* back at the first edge seen */
+            memcpy(mu, first, sizeof mu);
+            memcpy(a.w, corner, sizeof corner);
         }
-        start = seen & SHI_NOT(any);
-        for (k = 0; k < 3; k++)
-            c[k] = before[(k + 1) % 3] * mu[(k + 2) % 3] - before[(k + 2) % 3] * mu[(k + 1) % 3];
-        y = a.w[0] * c[0] + a.w[1] * c[1] + a.w[2] * c[2];
-        z = before[0] * mu[0] + before[1] * mu[1] + before[2] * mu[2];
-        tc = turn_c * z - turn_s * y; /* angles add up in the argument, modulo 2 pi */
+        SHI_KN(shi_polygon_cross)(before, mu, c);
+        y = SHI_KN(shi_polygon_dot)(a.w, c);
+        z = SHI_KN(shi_polygon_dot)(before, mu);
+        tc = turn_c * z - turn_s * y;                       /* angles add up in the argument, modulo 2 pi */
         ts = turn_s * z + turn_c * y;
         turn_c = SHI_SELECT(seen & any, tc, turn_c);
         turn_s = SHI_SELECT(seen & any, ts, turn_s);
+        start = seen & SHI_NOT(any);
         for (k = 0; k < 3; k++) {
             before[k] = SHI_SELECT(seen, mu[k], before[k]);
             first[k] = SHI_SELECT(start, mu[k], first[k]);
@@ -4329,213 +4337,266 @@ SHI_INLINE SHI_V SHI_KN(shi_polygon_turning)(const SHI_V x[3], size_t count, con
     angle = SHI_KN(shi_polygon_angle)(SHI_ABS(turn_s), turn_c);
     exact = SHI_SELECT(turn_s < zero, angle, -angle);
     for (i = 0; i <= count / 2 + 1; i++) {
-        exact += SHI_SELECT(exact < guess - half, whole + zero, zero);
-        exact -= SHI_SELECT(exact > guess + half, whole + zero, zero);
+        exact += SHI_SELECT(exact < guess - half, whole, zero);
+        exact -= SHI_SELECT(exact > guess + half, whole, zero);
     }
     return exact;
 }
 
-/* Adds the light of one polygon, times radiance[c], at W points x to totals + c SHI_TOTALS and omega[c], c <
- * channels. Lanes where the point lies in the polygon's plane or on an edge, or where lengths leave the range
- * of T, add nothing and are marked in *hard: for the engine. Small lights: rules over the fan in the plane;
- * others: nodes along the edges. A vector of points that mixes both runs both. work: SHI_POLYGON_SUMS(n)
- * vectors. *surface: whether the surface's totals hold anything; until then they are not even cleared. */
 #define SHI_ARCS 8                          /* edges whose sums wait for each other, as `work` has room */
 #define SHI_POLYGON_SUMS(n) ((n) <= 10 ? 800 : 4 * (n) * (n))
-SHI_INLINE void SHI_KN(shi_polygon_block)(int n, int planes, int sides, SHI_FN(shi_rules) *rules, const SHI_V points[3],
-                                          const SHI_FN(shi_shape) *shape, size_t count, const SHI_T *v, int channels,
-                                          const SHI_T *radiance, SHI_V *totals, SHI_V *omega, int *surface, SHI_M *hard,
-                                          SHI_V *work)
-{
-    static const double limits[2][11] = {
-        { 4e-4, 0.02, 0.7, 1.4 },
-        { 1e-8, 1e-5, 4e-3, 0.02, 0.06, 0.15, 0.3, 0.55, 0.9, 1.3, 1.8 } };
-    const SHI_V zero = SHI_SPLAT(0), one = SHI_SPLAT(1);
-    const SHI_T biggest = SHI_BITS == 32 ? SHI_C(1e8) : SHI_C(1e75), smallest = SHI_BITS == 32 ? SHI_C(1e-6) : 1 / biggest;
-    SHI_T end_on, at_vertex;                                /* |A x E|, |A| that count as 0 */
-    const int gradient = planes >= SH_GRADIENT, slope = n * (n + 1), flux = n * (n - 1);
-    SHI_V x[3], d2, dist, volume = zero, sign, factor, wide_factor = zero, size, dets[SHI_ARCS];
-    SHI_M compact, bad;
-    const SHI_T *const center = shape->center, radius = shape->radius;
-    size_t i;
-    int c, k, l, level;
 
-    bad = (SHI_M)(zero != zero);
-    if (!(radius > smallest && radius < biggest)) {
-        *hard = SHI_NOT(bad);
-        return;
-    }
-    end_on = (SHI_BITS == 32 ? SHI_C(1e-20) : SHI_C(1e-100 * (SHI_BITS == 64))) * radius * radius;
-    at_vertex = (SHI_BITS == 32 ? SHI_C(1e-9) : SHI_C(1e-40)) * radius;
-    d2 = zero;
+/* a polygon seen from W points */
+typedef struct {
+    const SHI_FN(shi_shape) *shape;
+    SHI_V x[3];                             /* where `bad`, not the point but a place from where all is finite */
+    SHI_V det[SHI_ARCS];                    /* (vertex 0 - x) . normal, of the fan's first triangles */
+    SHI_V sign;                             /* of the light: by its side */
+    SHI_V size;                             /* (bands + 1) times the angular diameter, where `compact` */
+    SHI_M compact, bad;                     /* small enough for rules; for the engine */
+} SHI_KN(shi_view);
+
+/* what W points receive: totals and solid angles of up to three channels, which polygons add to */
+typedef struct {
+    int channels, surface;                  /* surface: whether value and ray of the totals hold anything, and are clear */
+    SHI_T radiance[3];                      /* of the polygon at hand */
+    SHI_V omega[3], *totals, *work;         /* totals[channels][SHI_TOTALS(n)]; work[SHI_POLYGON_SUMS(n)] */
+    SHI_FN(shi_rules) rules;
+} SHI_KN(shi_received);
+
+SHI_KERNEL SHI_V SHI_KN(shi_fan_det)(const SHI_FN(shi_shape) *shape, const SHI_V x[3], size_t i)
+{
+    double own[3];
+    return SHI_KN(shi_polygon_height)(x, shape->v, SHI_FN(shi_shape_normal)(shape, i, own));
+}
+SHI_KERNEL SHI_V SHI_KN(shi_view_det)(const SHI_KN(shi_view) *o, size_t i)
+{
+    return i <= SHI_ARCS ? o->det[i - 1] : SHI_KN(shi_fan_det)(o->shape, o->x, i);
+}
+/* lanes to which light comes along the edges */
+SHI_KERNEL SHI_M SHI_KN(shi_view_wide)(const SHI_KN(shi_view) *o) { return SHI_NOT(o->bad | o->compact); }
+
+/* Distance and side. 0, and all lanes bad, if the polygon's size leaves the range of T. */
+SHI_INLINE int SHI_KN(shi_polygon_view)(int n, int sides, const SHI_V points[3], const SHI_FN(shi_shape) *shape,
+                                        SHI_KN(shi_view) *o)
+{
+    const SHI_T biggest = SHI_BITS == 32 ? SHI_C(1e8) : SHI_C(1e75), smallest = SHI_BITS == 32 ? SHI_C(1e-6) : 1 / biggest;
+    const SHI_T *const center = shape->center, radius = shape->radius;
+    const SHI_V zero = SHI_SPLAT(0), one = SHI_SPLAT(1);
+    SHI_V d2 = zero, dist, size, volume = zero;
+    SHI_M bad = (SHI_M)(zero == zero), compact;
+    size_t i;
+    int k;
+    o->shape = shape;
+    o->bad = bad;
+    if (!(radius > smallest && radius < biggest)) return 0;
     for (k = 0; k < 3; k++) d2 += (center[k] - points[k]) * (center[k] - points[k]);
     dist = SHI_SQRT(d2);
     bad = SHI_NOT((SHI_M)((dist < biggest) & (dist > smallest)));
     dist = SHI_SELECT(bad, SHI_SPLAT(radius), dist);
-    for (k = 0; k < 3; k++) /* such lanes compute something finite, and add nothing */
-        x[k] = SHI_SELECT(bad, SHI_SPLAT(center[k] + radius), points[k]);
+    for (k = 0; k < 3; k++) o->x[k] = SHI_SELECT(bad, SHI_SPLAT(center[k] + radius), points[k]);
     size = dist - SHI_C(4) * radius;
     compact = (SHI_M)(size > zero);
-    size = SHI_SELECT(compact,
-                      SHI_C(2 * (n + 1)) * radius / (dist - SHI_SELECT(compact, SHI_SPLAT(radius), zero)),
-                      SHI_SPLAT(100));
-    compact &= (SHI_M)(size < SHI_C(limits[SHI_BITS == 64][SHI_RULES - 1]));
-
-    for (i = 1; i + 1 < count; i++) {                       /* the side */
-        double own[3];
-        const SHI_V det = SHI_KN(shi_polygon_height)(x, v, SHI_FN(shi_shape_normal)(shape, v, i, own));
+    size = SHI_C(2 * (n + 1)) * radius / (dist - SHI_SELECT(compact, SHI_SPLAT(radius), zero));
+    o->size = SHI_SELECT(compact, size, SHI_SPLAT(100));
+    o->compact = compact & (SHI_M)(o->size < SHI_C(shi_rule_limits[SHI_BITS == 64][SHI_RULES - 1]));
+    for (i = 1; i + 1 < shape->count; i++) {
+        const SHI_V det = SHI_KN(shi_fan_det)(shape, o->x, i);
         volume += det;
-        if (i <= SHI_ARCS) dets[i - 1] = det;
+        if (i <= SHI_ARCS) o->det[i - 1] = det;
     }
-    bad |= (SHI_M)(volume == zero);
-    sign = sides == SH_SIGNED ? -one : SHI_SELECT(volume < zero, -one, sides == SH_FRONT ? zero : one);
+    o->bad = bad | (SHI_M)(volume == zero);
+    o->sign = sides == SH_SIGNED ? -one : SHI_SELECT(volume < zero, -one, sides == SH_FRONT ? zero : one);
+    return 1;
+}
 
-    if (SHI_ANY(SHI_NOT(compact))) {
-        const int room = SHI_POLYGON_SUMS(n) / (2 * n * n), most = room < SHI_ARCS ? room : SHI_ARCS;
-        SHI_V *const t = work + most * flux;
-        SHI_V m[3 * SHI_ARCS];
-        SHI_KN(shi_arc_seen) arcs[SHI_ARCS];
-        int pass;
-        /* points on an edge must be known before anything is added: once around for that if not all edges fit at once */
-        for (pass = count > (size_t)most ? 0 : 1; pass < 2; pass++) {
-            SHI_V cos0b = zero, fan_c = one, fan_s = zero, sum = zero, least = one;
-            SHI_KN(shi_seen) first, a, b;
-            int fill = 0, e;
-            SHI_KN(shi_polygon_see)(x, v, &first);
-            a = first;
-            for (i = 0; i < count; i++) {
-                const SHI_T *from = v + 3 * i, *to = i + 1 < count ? v + 3 * i + 3 : v;
-                SHI_T side[3];
-                SHI_V cosine;
-                for (k = 0; k < 3; k++) side[k] = to[k] - from[k];
-                if (i + 1 < count) SHI_KN(shi_polygon_see)(x, to, &b);
-                else b = first;
-                cosine = SHI_KN(shi_polygon_arc)(&a, &b, side, end_on, at_vertex, &arcs[fill], &bad);
-                if (i == 0) {
-                    cos0b = cosine;
-                } else if (i + 1 < count) {                 /* the fan's solid angle */
-                    const SHI_V cos0c = first.w[0] * b.w[0] + first.w[1] * b.w[1] + first.w[2] * b.w[2];
-                    const SHI_V even = ((one + cos0b) + cosine) + cos0c;
-                    SHI_V det, odd;
-                    if (i <= SHI_ARCS) {
-                        det = dets[i - 1];
-                    } else {
-                        double own[3];
-                        det = SHI_KN(shi_polygon_height)(x, v, SHI_FN(shi_shape_normal)(shape, v, i, own));
-                    }
-                    odd = ((det * first.inverse) * a.inverse) * b.inverse;
-                    least = SHI_SELECT(even < least, even, least);
-                    if (i == 1) {
-                        fan_c = even;
-                        fan_s = odd;
-                    } else if (count == 4) { /* two halves of less than pi: their product's argument */
-                        const SHI_V real = fan_c * even - fan_s * odd;
-                        fan_s = fan_c * odd + fan_s * even;
-                        fan_c = real;
-                    } else {
-                        const SHI_V solid = SHI_C(2) * SHI_KN(shi_polygon_angle)(SHI_ABS(odd), even);
-                        sum += SHI_SELECT(odd < zero, -solid, solid);
-                    }
-                    cos0b = cos0c;
-                }
-                a = b;
-                if (!pass || (++fill < most && i + 1 < count)) continue;
-                wide_factor = SHI_SELECT(bad | compact, zero, sign);
-                if (!channels) { fill = 0; continue; }
-                for (l = 0; l < fill * flux; l++) work[l] = zero;
-                for (l = 0; gradient && l < fill * slope; l++) t[l] = zero;
-                for (e = 0; e < fill; e++)
-                    SHI_KN(shi_polygon_arc_sums)(n, n - 1, gradient ? n : 0, &arcs[e], SHI_NOT(bad | compact),
-                                                 work + e * flux, t + e * slope);
-                for (c = 0; c < channels; c++) {
-                    SHI_V *const to_c = totals + c * SHI_TOTALS(n);
-                    const SHI_V f = radiance[c] * wide_factor;
-                    for (e = 0; e < fill; e++)
-                        for (k = 0; k < 3; k++) m[3 * e + k] = f * arcs[e].mu[k];
-                    SHI_KN(shi_polygon_spread)(fill, flux, m, work, to_c + SHI_FLUX_AT(n));
-                    if (gradient) SHI_KN(shi_polygon_spread)(fill, slope, m, t, to_c + SHI_SLOPE_AT(n));
-                }
-                fill = 0;
-            }
-            if (!pass || !channels) continue;
-            {
-                const SHI_V solid = SHI_C(2) * SHI_KN(shi_polygon_angle)(SHI_ABS(fan_s), fan_c);
-                sum += SHI_SELECT(fan_s < zero, -solid, solid);
-            }
-            /* the fan is relatively exact but near its sides' planes, where the sides are long and turn well-defined angles */
-            if (SHI_ANY(SHI_NOT(bad | compact) & (SHI_M)(least <= SHI_SPLAT(SHI_C(0.25)))))
-                sum = SHI_SELECT((SHI_M)(least > SHI_SPLAT(SHI_C(0.25))), sum, SHI_KN(shi_polygon_turning)(x, count, v, sum));
-            for (c = 0; c < channels; c++) omega[c] += (radiance[c] * wide_factor) * sum;
-        }
-    }
-    factor = SHI_SELECT(bad, zero, sign);
+/* the solid angle of the fan at vertex 0: `sum`, and twice the argument of c + i s; least c of a triangle; cosine of the side
+ * that the next triangle shares */
+typedef struct { SHI_V sum, c, s, least, shared; } SHI_KN(shi_fan);
 
-    if (channels && SHI_ANY(compact)) {
-        SHI_V *const s = work, *const t = work + n * (n + 1), node[SHI_KN(shi_nodes_at_once) * 5];
-        const SHI_V small_factor = SHI_SELECT(compact, factor, zero), in = SHI_SELECT(compact, size, zero);
-        const int ns = n, nt = gradient ? n + 1 : 0;
-        SHI_T largest = 0, tmp[SHI_W];
-        if (!rules->made) SHI_FN(shi_make_rules)(rules);
-        for (c = 0; c < channels && !*surface; c++) {
-            SHI_V *const value = totals + c * SHI_TOTALS(n), *const ray = value + SHI_RAY_AT(n);
-            for (l = 0; l < slope; l++) value[l] = zero;
-            for (l = 0; l < nt * (nt + 1); l++) ray[l] = zero;
+/* twice the argument */
+SHI_KERNEL SHI_V SHI_KN(shi_fan_angle)(SHI_V c, SHI_V s)
+{
+    const SHI_V solid = SHI_C(2) * SHI_KN(shi_polygon_angle)(SHI_ABS(s), c);
+    return SHI_SELECT(s < SHI_SPLAT(0), -solid, solid);
+}
+/* one more triangle: vertices first, a, b, and the cosine between a and b; `times`: into the product */
+SHI_KERNEL void SHI_KN(shi_fan_add)(SHI_KN(shi_fan) *o, int times, SHI_V det, const SHI_KN(shi_seen) *first,
+                                    const SHI_KN(shi_seen) *a, const SHI_KN(shi_seen) *b, SHI_V cosine)
+{
+    const SHI_V shared = SHI_KN(shi_polygon_dot)(first->w, b->w), c = ((SHI_SPLAT(1) + o->shared) + cosine) + shared;
+    const SHI_V s = ((det * first->inverse) * a->inverse) * b->inverse, real = o->c * c - o->s * s;
+    o->least = SHI_SELECT(c < o->least, c, o->least);
+    o->shared = shared;
+    if (times) {
+        o->s = o->c * s + o->s * c;
+        o->c = real;
+    } else {
+        o->sum += SHI_KN(shi_fan_angle)(c, s);
+    }
+}
+
+/* Adds the light along `count` edges. Not inlined: its loops have all registers to themselves. */
+SHI_NOINLINE void SHI_KN(shi_polygon_along)(int n, int gradient, const SHI_KN(shi_view) *view, int count,
+                                            const SHI_KN(shi_arc_seen) *arcs, SHI_KN(shi_received) *to)
+{
+    const int flux = n * (n - 1), slope = gradient ? n * (n + 1) : 0;
+    const SHI_M wide = SHI_KN(shi_view_wide)(view);
+    const SHI_V zero = SHI_SPLAT(0), sign = SHI_SELECT(wide, view->sign, zero);
+    SHI_V *const s = to->work, *const t = s + count * flux, m[3 * SHI_ARCS];
+    int c, e, k, l;
+    for (l = 0; l < count * (flux + slope); l++) s[l] = zero;
+    for (e = 0; e < count; e++)
+        SHI_KN(shi_polygon_arc_sums)(n, n - 1, gradient ? n : 0, &arcs[e], wide, s + e * flux, t + e * slope);
+    for (c = 0; c < to->channels; c++) {
+        SHI_V *const totals = to->totals + c * SHI_TOTALS(n);
+        const SHI_V f = to->radiance[c] * sign;
+        for (e = 0; e < count; e++)
+            for (k = 0; k < 3; k++) m[3 * e + k] = f * arcs[e].mu[k];
+        SHI_KN(shi_polygon_spread)(count, flux, m, s, totals + SHI_FLUX_AT(n));
+        SHI_KN(shi_polygon_spread)(count, slope, m, t, totals + SHI_SLOPE_AT(n));
+    }
+}
+
+/* Once around the edges, `most` at a time: marks points on one as bad and, unless `to` is NULL, adds the light of the others
+ * for which the polygon is not compact. */
+SHI_INLINE void SHI_KN(shi_polygon_around)(int n, int gradient, int most, SHI_KN(shi_view) *view, SHI_KN(shi_received) *to)
+{
+    const SHI_T *const v = view->shape->v, radius = view->shape->radius;
+    const SHI_T at_vertex = (SHI_BITS == 32 ? SHI_C(1e-9) : SHI_C(1e-40)) * radius;
+    const SHI_T end_on = (SHI_BITS == 32 ? SHI_C(1e-20) : SHI_C(1e-100 * (SHI_BITS == 64))) * radius * radius;
+    const SHI_V zero = SHI_SPLAT(0), one = SHI_SPLAT(1);
+    const size_t count = view->shape->count;
+    SHI_KN(shi_seen) first, a, b;
+    SHI_KN(shi_arc_seen) arcs[SHI_ARCS];
+    SHI_KN(shi_fan) fan;
+    SHI_V sign;
+    SHI_M wide;
+    size_t i;
+    int fill = 0, c, k;
+    fan.sum = fan.s = fan.shared = zero;
+    fan.c = fan.least = one;
+    SHI_KN(shi_polygon_see)(view->x, v, &first);
+    b = first;
+    for (i = 0; i < count; i++) {
+        const SHI_T *const from = v + 3 * i, *const next = i + 1 < count ? from + 3 : v;
+        SHI_T e[3];
+        SHI_V cosine;
+        for (k = 0; k < 3; k++) e[k] = next[k] - from[k];
+        a = b;
+        if (i + 1 < count) SHI_KN(shi_polygon_see)(view->x, next, &b);
+        else b = first;
+        cosine = SHI_KN(shi_polygon_arc)(&a, &b, e, end_on, at_vertex, &arcs[fill], &view->bad);
+        if (!to) continue;
+        if (i == 0) fan.shared = cosine;
+        else if (i + 1 < count)             /* two halves of a quadrilateral are less than pi: their product has an argument */
+            SHI_KN(shi_fan_add)(&fan, i == 1 || count == 4, SHI_KN(shi_view_det)(view, i), &first, &a, &b, cosine);
+        if (++fill < most && i + 1 < count) continue;
+        SHI_KN(shi_polygon_along)(n, gradient, view, fill, arcs, to);
+        fill = 0;
+    }
+    if (!to) return;
+    fan.sum += SHI_KN(shi_fan_angle)(fan.c, fan.s);
+    /* the fan is relatively exact but near its sides' planes, where the sides are long and turn well-defined angles */
+    wide = SHI_KN(shi_view_wide)(view);
+    if (SHI_ANY(wide & (SHI_M)(fan.least <= SHI_SPLAT(SHI_C(0.25)))))
+        fan.sum = SHI_SELECT((SHI_M)(fan.least > SHI_SPLAT(SHI_C(0.25))), fan.sum,
+                             SHI_KN(shi_polygon_turning)(view->x, count, v, fan.sum));
+    sign = SHI_SELECT(wide, view->sign, zero);
+    for (c = 0; c < to->channels; c++) to->omega[c] += (to->radiance[c] * sign) * fan.sum;
+}
+
+/* Sums of triangle 0, i, i+1 by rule `level`, where it is compact: s[n] of Y, behind it t[n+1] of Y/|p| if `gradient`. */
+SHI_INLINE void SHI_KN(shi_polygon_rule)(int n, int gradient, const SHI_KN(shi_view) *view, size_t i, int level,
+                                         const SHI_FN(shi_rules) *rules, SHI_V *s)
+{
+    const SHI_T *const v = view->shape->v, *rule = rules->node + 3 * rules->start[level];
+    const int nodes = rules->start[level + 1] - rules->start[level], nt = gradient ? n + 1 : 0;
+    const SHI_M compact = view->compact;
+    const SHI_V zero = SHI_SPLAT(0), one = SHI_SPLAT(1), sign = SHI_SELECT(compact & SHI_NOT(view->bad), view->sign, zero);
+    SHI_V node[SHI_KN(shi_nodes_at_once) * 5], a[3], *const t = s + n * (n + 1);
+    SHI_T e[3], f[3];
+    int fill = 0, j, k, l;
+    for (k = 0; k < 3; k++) {
+        a[k] = v[k] - view->x[k];
+        e[k] = v[3 * i + (size_t)k] - v[k];
+        f[k] = v[3 * i + 3 + (size_t)k] - v[k];
+    }
+    for (l = 0; l < n * (n + 1) + nt * (nt + 1); l++) s[l] = zero;
+    for (j = 0; j < nodes; j++, rule += 3) {
+        SHI_V *const o = node + 5 * fill, p[3], ir;
+        for (k = 0; k < 3; k++) p[k] = SHI_SELECT(compact, a[k] + (rule[0] * e[k] + rule[1] * f[k]), one);
+        ir = one / SHI_SQRT(SHI_KN(shi_polygon_dot)(p, p));
+        for (k = 0; k < 3; k++) o[k] = p[k] * ir;
+        o[3] = rule[2] * (ir * ir * ir) * sign;
+        o[4] = o[3] * ir;
+        if (++fill < SHI_KN(shi_nodes_at_once) && j + 1 < nodes) continue;
+        if (fill & 1) {
+            SHI_V *const last = node + 5 * fill++;
+            last[0] = last[1] = last[3] = last[4] = zero;
+            last[2] = one;
         }
-        *surface = 1;
-        SHI_STORE(tmp, in);
-        for (k = 0; k < SHI_W; k++) if (tmp[k] > largest) largest = tmp[k];
-        for (level = 0; level + 1 < SHI_RULES && (double)largest > limits[SHI_BITS == 64][level]; level++) {}
-        for (i = 1; i + 1 < count; i++) {
-            const SHI_T *e1 = v + 3 * i, *e2 = v + 3 * i + 3, *rule = rules->node + 3 * rules->start[level];
-            const int nodes = rules->start[level + 1] - rules->start[level];
-            double own[3];
-            const double *const n2 = SHI_FN(shi_shape_normal)(shape, v, i, own);
-            SHI_T e[3], f[3];
-            SHI_V a0[3], det;
-            int fill = 0, j;
-            for (k = 0; k < 3; k++) {
-                a0[k] = v[k] - x[k];
-                e[k] = e1[k] - v[k];
-                f[k] = e2[k] - v[k];
+        SHI_KN(shi_polygon_sums)(n, nt, fill, node, s, t);
+        fill = 0;
+    }
+}
+
+/* Adds the light of a polygon where it is compact. */
+SHI_INLINE void SHI_KN(shi_polygon_surface)(int n, int gradient, const SHI_KN(shi_view) *view, SHI_KN(shi_received) *to)
+{
+    const int size = n * (n + 1), rays = gradient ? (n + 1) * (n + 2) : 0;
+    const SHI_V zero = SHI_SPLAT(0), *const s = to->work, *const t = s + size;
+    SHI_T largest = 0, lane[SHI_W];
+    size_t i;
+    int c, k, l, level = 0;
+    if (!to->rules.made) SHI_FN(shi_make_rules)(&to->rules);
+    for (c = 0; c < to->channels && !to->surface; c++) {
+        SHI_V *const value = to->totals + c * SHI_TOTALS(n), *const ray = value + SHI_RAY_AT(n);
+        for (l = 0; l < size; l++) value[l] = zero;
+        for (l = 0; l < rays; l++) ray[l] = zero;
+    }
+    to->surface = 1;
+    SHI_STORE(lane, SHI_SELECT(view->compact, view->size, zero));
+    for (k = 0; k < SHI_W; k++) if (lane[k] > largest) largest = lane[k];
+    while (level + 1 < SHI_RULES && (double)largest > shi_rule_limits[SHI_BITS == 64][level]) level++;
+    for (i = 1; i + 1 < view->shape->count; i++) {
+        double own[3];
+        const double *const normal = SHI_FN(shi_shape_normal)(view->shape, i, own);
+        const SHI_V det = SHI_KN(shi_view_det)(view, i);
+        SHI_KN(shi_polygon_rule)(n, gradient, view, i, level, &to->rules, to->work);
+        for (c = 0; c < to->channels; c++) {
+            SHI_V *const value = to->totals + c * SHI_TOTALS(n), *const slope = value + SHI_SLOPE_AT(n);
+            SHI_V *const ray = value + SHI_RAY_AT(n);
+            const SHI_T r = to->radiance[c], nx = r * (SHI_T)normal[0], ny = r * (SHI_T)normal[1], nz = r * (SHI_T)normal[2];
+            const SHI_V d = r * det;
+            for (l = 0; l < size; l++) value[l] += d * s[l];
+            for (l = 0; gradient && l < size; l++) {
+                slope[l] -= nx * s[l];
+                slope[size + l] -= ny * s[l];
+                slope[2 * size + l] -= nz * s[l];
             }
-            det = i <= SHI_ARCS ? dets[i - 1] : SHI_KN(shi_polygon_height)(x, v, n2);
-            for (l = 0; l < ns * (ns + 1); l++) s[l] = zero;
-            for (l = 0; l < nt * (nt + 1); l++) t[l] = zero;
-            for (j = 0; j < nodes; j++) {
-                SHI_V *const o = node + 5 * fill, ir, p[3];
-                for (k = 0; k < 3; k++)
-                    p[k] = SHI_SELECT(compact, a0[k] + (rule[3 * j] * e[k] + rule[3 * j + 1] * f[k]), one);
-                ir = one / SHI_SQRT(p[0] * p[0] + p[1] * p[1] + p[2] * p[2]);
-                for (k = 0; k < 3; k++) o[k] = p[k] * ir;
-                o[3] = rule[3 * j + 2] * (ir * ir * ir) * small_factor;
-                o[4] = o[3] * ir;
-                if (++fill == SHI_KN(shi_nodes_at_once) || j + 1 == nodes) {
-                    if (fill & 1) {
-                        SHI_V *const last = node + 5 * fill++;
-                        last[0] = last[1] = last[3] = last[4] = zero;
-                        last[2] = one;
-                    }
-                    SHI_KN(shi_polygon_sums)(ns, nt, fill, node, s, t);
-                    fill = 0;
-                }
-            }
-            for (c = 0; c < channels; c++) {
-                SHI_V *const value = totals + c * SHI_TOTALS(n), *const out = value + SHI_SLOPE_AT(n);
-                SHI_V *const ray = value + SHI_RAY_AT(n);
-                const SHI_T r = radiance[c], nx = r * (SHI_T)n2[0], ny = r * (SHI_T)n2[1], nz = r * (SHI_T)n2[2];
-                const SHI_V d = r * det;
-                for (l = 0; l < slope; l++) value[l] += d * s[l];
-                if (!gradient) continue;
-                for (l = 0; l < slope; l++) {
-                    out[l] -= nx * s[l];
-                    out[slope + l] -= ny * s[l];
-                    out[2 * slope + l] -= nz * s[l];
-                }
-                for (l = 0; l < nt * (nt + 1); l++) ray[l] += d * t[l];
-            }
+            for (l = 0; l < rays; l++) ray[l] += d * t[l];
         }
     }
-    *hard = bad;
+}
+
+/* Adds the light of one polygon, of radiance to->radiance, at W points x; none if `to` is NULL. Small lights: rules over the
+ * fan in the plane; others: nodes along the edges; a vector of points that mixes both runs both. Returns the lanes that this
+ * left out, for the engine: points in the polygon's plane, on an edge, or lengths beyond the range of T. */
+SHI_INLINE SHI_M SHI_KN(shi_polygon_block)(int n, int planes, int sides, const SHI_V x[3], const SHI_FN(shi_shape) *shape,
+                                           SHI_KN(shi_received) *to)
+{
+    const int room = SHI_POLYGON_SUMS(n) / (2 * n * n), most = room < SHI_ARCS ? room : SHI_ARCS;
+    const int gradient = planes >= SH_GRADIENT;
+    SHI_KN(shi_view) view;
+    if (!SHI_KN(shi_polygon_view)(n, sides, x, shape, &view)) return view.bad;
+    if (SHI_ANY(SHI_NOT(view.compact))) {
+        /* points on an edge must be known before anything is added: around for that first if not all edges fit at once */
+        if (!to || shape->count > (size_t)most) SHI_KN(shi_polygon_around)(n, gradient, most, &view, NULL);
+        if (to) SHI_KN(shi_polygon_around)(n, gradient, most, &view, to);
+    }
+    if (to && SHI_ANY(view.compact)) SHI_KN(shi_polygon_surface)(n, gradient, &view, to);
+    return view.bad;
 }
 
 /* ---- WR18: lanes are zonal lobes ---- */
@@ -4650,8 +4711,7 @@ SHI_INLINE void shi_cross3(const double a[3], const double b[3], double c[3])
     c[2] = a[0] * b[1] - a[1] * b[0];
 }
 
-/* ---- the polygon as the engine sees it: everything times a power of two that makes its extent about 1
- * ---- */
+/* ---- the polygon as the engine sees it: everything times a power of two that makes its extent about 1 ---- */
 
 SHI_INLINE double shi_scene_read(const shi_scene *p, size_t i)
 {
@@ -4695,6 +4755,15 @@ SHI_INLINE void shi_scene_edge(const shi_scene *p, size_t i, size_t j, shi_two e
     for (k = 0; k < 3; k++)
         e[k] = shi_scene_difference(p->scale * shi_scene_read(p, 3 * j + (size_t)k),
                                     p->scale * shi_scene_read(p, 3 * i + (size_t)k));
+}
+
+/* triangle 0, i, i+1: its edges from vertex 0 and their product n; returns (vertex 0 - point) . n */
+SHI_INLINE double shi_scene_fan(const shi_scene *p, const shi_two first[3], size_t i, shi_two e[3], shi_two f[3], shi_two n[3])
+{
+    shi_scene_edge(p, 0, i, e);
+    shi_scene_edge(p, 0, i + 1, f);
+    shi_two_cross(e, f, n);
+    return shi_two_dot(first, n).h;
 }
 
 /* Edge i -> i+1 from A to B: N = A x (B-A) and the edge's w, lambda, mu, gamma, k0, k1 of docs/polygons.md. 0 if it is seen
@@ -4942,10 +5011,7 @@ SHI_NOINLINE int shi_polygon_engine(int bands, int sides, int tight, const doubl
     for (i = 1; i + 1 < count; i++) {
         shi_two d1[3], d2[3], n[3], a[3], b[3];
         double v0[3], v1[3], v2[3], r0, r1, r2, det, even, solid;
-        shi_scene_edge(&scene, 0, i, d1);
-        shi_scene_edge(&scene, 0, i + 1, d2);
-        shi_two_cross(d1, d2, n);
-        det = shi_two_dot(first, n).h;
+        det = shi_scene_fan(&scene, first, i, d1, d2, n);
         if (fabs(det) < 1e-280) det = 0;
         shi_scene_vertex(&scene, i, a);
         shi_scene_vertex(&scene, i + 1, b);
@@ -5051,10 +5117,7 @@ SHI_NOINLINE int shi_polygon_engine(int bands, int sides, int tight, const doubl
             shi_two d1[3], d2[3], n[3], v[3][3];
             shi_corner c[3];
             double det, unit;
-            shi_scene_edge(&scene, 0, i, d1);
-            shi_scene_edge(&scene, 0, i + 1, d2);
-            shi_two_cross(d1, d2, n);
-            det = shi_two_dot(first, n).h;
+            det = shi_scene_fan(&scene, first, i, d1, d2, n);
             if (fabs(det) < 1e-280) continue;
             shi_scene_vertex(&scene, 0, v[0]);
             shi_scene_vertex(&scene, i, v[1]);
@@ -5237,10 +5300,7 @@ SHI_NOINLINE int shi_within_engine(int bands, int sides, int tight, double toler
         shi_two d1[3], d2[3], n[3];
         double c[3], e[3][3], n2[3], det, area, d, q = 0, reach = 0, nearest, unit, sums[5] = { 0, 0, 0, 0, 0 },
                                                    six[SH_MAX_POLYGON_BANDS], six4[SH_MAX_POLYGON_BANDS];
-        shi_scene_edge(&scene, 0, i, d1);
-        shi_scene_edge(&scene, 0, i + 1, d2);
-        shi_two_cross(d1, d2, n);
-        det = shi_two_dot(first, n).h;
+        det = shi_scene_fan(&scene, first, i, d1, d2, n);
         volume += det;
         for (k = 0; k < 3; k++) {
             c[k] = (d1[k].h + d2[k].h) / 3;
@@ -5302,10 +5362,7 @@ SHI_NOINLINE int shi_within_engine(int bands, int sides, int tight, double toler
         double n2[3], det, p[3];
         int piece, pieces = way == POINT4 || way == SEVEN4 ? 4 : 1, j,
                    from = way == SEVEN || way == SEVEN4 ? 4 : 0, to = from ? 11 : 1;
-        shi_scene_edge(&scene, 0, i, d1);
-        shi_scene_edge(&scene, 0, i + 1, d2);
-        shi_two_cross(d1, d2, n);
-        det = shi_two_dot(first, n).h;
+        det = shi_scene_fan(&scene, first, i, d1, d2, n);
         for (k = 0; k < 3; k++) n2[k] = n[k].h;
         if (det == 0) continue;
         if (way == SPHERE) {
@@ -5510,159 +5567,211 @@ SH_API int SHI_FN(sh_polygon_within)(int bands, int sides, SHI_T tolerance, cons
 
 /* ---- many polygons, many points ---- */
 
-SHI_INLINE int SHI_FN(shi_polygons_check)(int bands, int planes, int channels, int sides, size_t points, const SHI_T *point,
-                                          size_t polygons, const int *counts, const SHI_T *vertices, const SHI_T *radiance,
-                                          const SHI_T *out)
+/* a sum of polygons as it was asked for */
+typedef struct {
+    int bands, planes, channels, sides;
+    SHI_FN(shi_places) places;
+    size_t count;
+    const int *counts;
+    const SHI_T *vertices, *radiance;
+} SHI_FN(shi_polygon_lights);
+
+SHI_INLINE int SHI_FN(shi_check_polygon_lights)(const SHI_FN(shi_polygon_lights) *o, const SHI_T *out)
 {
-    const size_t bytes = points * (size_t)channels * (size_t)planes * (size_t)bands * (size_t)bands * sizeof *out;
+    const size_t item = sizeof *out, channels = (size_t)o->channels, points = o->places.count;
+    const size_t bytes = points * channels * (size_t)o->planes * (size_t)o->bands * (size_t)o->bands * item;
     size_t i, total = 0;
-    if (bands < 1 || bands > SH_MAX_POLYGON_BANDS) return SH_ERROR_BANDS;
-    if (planes != SH_VALUES && planes != SH_GRADIENT) return SH_ERROR_OPTION;
-    if (channels < 1 || (!radiance && channels != 1)) return SH_ERROR_COUNT;
-    if (sides < SH_BOTH || sides > SH_SIGNED) return SH_ERROR_OPTION;
+    if (points && !(o->places.at || o->places.grid)) return SH_ERROR_NULL;
+    if (o->bands < 1 || o->bands > SH_MAX_POLYGON_BANDS) return SH_ERROR_BANDS;
+    if (o->planes != SH_VALUES && o->planes != SH_GRADIENT) return SH_ERROR_OPTION;
+    if (o->channels < 1 || (!o->radiance && o->channels != 1)) return SH_ERROR_COUNT;
+    if (o->sides < SH_BOTH || o->sides > SH_SIGNED) return SH_ERROR_OPTION;
     if (!points) return SH_OK;
-    if (!out || (polygons && (!counts || !vertices))) return SH_ERROR_NULL;
-    if (points > SHI_MOST_ITEMS / (size_t)channels || polygons > SHI_MOST_ITEMS / (size_t)channels) return SH_ERROR_COUNT;
-    for (i = 0; i < polygons; i++) {
-        if (counts[i] < 3) return SH_ERROR_VERTICES;
-        total += (size_t)counts[i];
+    if (!out || (o->count && (!o->counts || !o->vertices))) return SH_ERROR_NULL;
+    if (points > SHI_MOST_ITEMS / channels || o->count > SHI_MOST_ITEMS / channels) return SH_ERROR_COUNT;
+    for (i = 0; i < o->count; i++) {
+        if (o->counts[i] < 3) return SH_ERROR_VERTICES;
+        total += (size_t)o->counts[i];
     }
-    if (!SHI_FN(shi_finite)(vertices, 3 * total)) return SH_ERROR_NOT_FINITE;
-    if (shi_overlap(out, bytes, point, 3 * points * sizeof *point)
-        || shi_overlap(out, bytes, vertices, 3 * total * sizeof *vertices)
-        || shi_overlap(out, bytes, counts, polygons * sizeof *counts)
-        || shi_overlap(out, bytes, radiance, (size_t)channels * polygons * sizeof *radiance))
-        return SH_ERROR_OVERLAP;
+    if (!SHI_FN(shi_finite)(o->vertices, 3 * total)) return SH_ERROR_NOT_FINITE;
+    if (SHI_FN(shi_places_overlap)(&o->places, out, bytes) || shi_overlap(out, bytes, o->vertices, 3 * total * item)
+        || shi_overlap(out, bytes, o->counts, o->count * sizeof *o->counts)
+        || shi_overlap(out, bytes, o->radiance, channels * o->count * item)) return SH_ERROR_OVERLAP;
     return SH_OK;
 }
 
-/* W points at a time; up to three channels share a pass over the polygons.
- * work: totals of three channels, then SHI_POLYGON_SUMS(n) vectors of sums, where the results go at last */
-SHI_INLINE int SHI_FN(shi_polygons_with)(int n, int planes, int channels, int sides, size_t points, const SHI_T *point,
-                                         const SHI_FN(sh_grid) *grid, size_t first, size_t polygons, const int *counts,
-                                         const SHI_T *vertices, const SHI_T *radiance, SHI_T *out, SHI_MANY(shi_vector) *work)
+/* the first polygons are measured once, as far as there is room; any other when its turn comes, as the last shape */
+typedef struct {
+    size_t known;
+    SHI_FN(shi_shape) shape[17];
+    double normals[3 * 64];
+} SHI_FN(shi_shapes);
+
+SHI_INLINE void SHI_FN(shi_shapes_open)(const SHI_FN(shi_polygon_lights) *o, SHI_FN(shi_shapes) *s)
 {
-    const int lanes = SHI_MANY(shi_polygon_lanes), size = n * n, rows = planes * size, totals = SHI_TOTALS(n);
-    const size_t row = (size_t)rows, stride = (size_t)channels * row;
-    SHI_MANY(shi_vector) *const sums = work + 3 * totals;
-    const SHI_FN(shi_places) places = { points, first, point, grid };
-    SHI_FN(shi_shape) shapes[17];                           /* the first polygons are measured once, */
-    double normals[3 * 64];                                 /* as far as this goes */
-    SHI_FN(shi_rules) rules;
-    size_t p, g, known = 0, at = 0, corners = 0;
-    int c, k, i, l, status = SH_OK;
-    rules.made = 0;
-    while (known < 16 && known < polygons && at + (size_t)counts[known] - 2 <= 64 && points > 1) {
-        SHI_FN(shi_measure)((size_t)counts[known], vertices + 3 * corners, normals + 3 * at, &shapes[known]);
-        at += (size_t)counts[known] - 2;
-        corners += (size_t)counts[known++];
+    const SHI_T *v = o->vertices;
+    size_t room = 64;
+    for (s->known = 0; s->known < 16 && s->known < o->count && o->places.count > 1; s->known++) {
+        const size_t count = (size_t)o->counts[s->known];
+        if (count - 2 > room) break;
+        SHI_FN(shi_measure)(count, v, s->normals + 3 * (64 - room), &s->shape[s->known]);
+        room -= count - 2;
+        v += 3 * count;
     }
-    for (p = 0; p < points; p += (size_t)lanes) {
-        const int used = points - p < (size_t)lanes ? (int)(points - p) : lanes;
-        SHI_T x[3 * SHI_MANY(shi_polygon_lanes)];
-        SHI_MANY(shi_vector) xv[3];
-        int valid = 1, good[SHI_MANY(shi_polygon_lanes)];
-        for (i = 0; i < used; i++) {
-            SHI_FN(shi_place)(&places, p + (size_t)i, x + 3 * i);
-            good[i] = SHI_FN(shi_finite)(x + 3 * i, 3);
-            if (good[i]) continue;
-            valid = 0;
-            status = SH_ERROR_NOT_FINITE;
-            x[3 * i] = x[3 * i + 1] = x[3 * i + 2] = 0;     /* what is computed there is left out below */
-        }
-        SHI_MANY(shi_load3)(x, used, xv);
-        for (c = 0; c < channels; c += 3) {
-            const int pass = channels - c < 3 ? channels - c : 3;
-            SHI_MANY(shi_vector) omega[3];
-            SHI_T r[3] = { 1, 1, 1 };
-            const SHI_T *v = vertices;
-            int any = 0, surface = 0;
-            for (k = 0; k < pass; k++)
-                for (l = SHI_FLUX_AT(n); l < (planes == SH_GRADIENT ? SHI_RAY_AT(n) : SHI_SLOPE_AT(n)); l++)
-                    work[k * totals + l] = SHI_MANY(shi_splat)(0);
-            omega[0] = omega[1] = omega[2] = SHI_MANY(shi_splat)(0);
-            for (g = 0; g < polygons; v += 3 * counts[g++]) {
-                SHI_MANY(shi_mask) hard;
-                if (g >= known) SHI_FN(shi_measure)((size_t)counts[g], v, NULL, &shapes[16]);
-                for (k = 0; radiance && k < pass; k++) r[k] = radiance[(size_t)(c + k) * polygons + g];
-                SHI_MANY(shi_polygon_block)(n, planes, sides, &rules, xv, &shapes[g < known ? g : 16],
-                                            (size_t)counts[g], v, pass, r, work, omega, &surface, &hard,
-                                            sums);
-                any |= SHI_MANY(shi_any)(hard);
-            }
-            for (k = 0; k < pass; k++) {
-                SHI_T *const to = out + p * stride + (size_t)(c + k) * row;
-                const SHI_T *const results = (const SHI_T *)(const void *)sums;
-                SHI_MANY(shi_polygon_finish)(n, planes, surface, work + k * totals, sums);
-                sums[0] += omega[k] * SHI_C(SHI_Y00);
-                if (valid) {
-                    SHI_MANY(shi_transpose_block)(results, lanes, rows, to, stride, used);
-                    continue;
-                }
-                for (i = 0; i < used; i++)
-                    if (good[i])
-                        SHI_ONE(shi_transpose_block)(results + i, lanes, rows, to + (size_t)i * stride, stride, 1);
-            }
-            if (!any) continue;
-            for (g = 0, v = vertices; g < polygons;
-                 v += 3 * counts[g++]) { /* rare: points in the plane of a light */
-                SHI_MANY(shi_mask) hard;
-                SHI_I marks[SHI_MANY(shi_polygon_lanes)];
-                if (g >= known) SHI_FN(shi_measure)((size_t)counts[g], v, NULL, &shapes[16]);
-                SHI_MANY(shi_polygon_block)(n, planes, sides, &rules, xv, &shapes[g < known ? g : 16],
-                                            (size_t)counts[g], v, 0, r, work, omega, &surface, &hard, sums);
-                memcpy(marks, &hard, sizeof marks);
-                for (i = 0; i < used; i++) {
-                    double y[3], value[SH_MAX_POLYGON_BANDS * SH_MAX_POLYGON_BANDS];
-                    double grad[3 * SH_MAX_POLYGON_BANDS * SH_MAX_POLYGON_BANDS];
-                    int one;
-                    if (!marks[i] || !good[i]) continue;
-                    for (k = 0; k < 3; k++) y[k] = (double)x[3 * i + k];
-                    one = shi_polygon_engine(n, sides, SHI_BITS == 64, y, (size_t)counts[g], v,
-                                             SHI_BITS == 32, value, planes == SH_GRADIENT ? grad : NULL,
-                                             NULL);
-                    if (one > status && status >= 0) status = one;
-                    for (k = 0; k < pass; k++) {
-                        const double f = radiance ? (double)radiance[(size_t)(c + k) * polygons + g] : 1;
-                        SHI_T *const to = out + (p + (size_t)i) * stride + (size_t)(c + k) * row;
-                        for (l = 0; l < rows; l++)
-                            to[l] = SHI_FN(shi_polygon_round)((double)to[l] + f * (l < size ? value[l] : grad[l - size]));
-                    }
-                }
+}
+SHI_INLINE const SHI_FN(shi_shape) *SHI_FN(shi_shape_of)(SHI_FN(shi_shapes) *s, size_t polygon, size_t count, const SHI_T *v)
+{
+    if (polygon < s->known) return &s->shape[polygon];
+    SHI_FN(shi_measure)(count, v, NULL, &s->shape[16]);
+    return &s->shape[16];
+}
+
+/* up to W places from `first` on, x in their lanes; one that is not finite is not good, and at 0 here */
+typedef struct {
+    size_t first;
+    int used, valid, good[SHI_MANY(shi_polygon_lanes)];
+    SHI_T at[3 * SHI_MANY(shi_polygon_lanes)];
+    SHI_MANY(shi_vector) x[3];
+} SHI_FN(shi_bunch);
+
+SHI_INLINE void SHI_FN(shi_bunch_open)(const SHI_FN(shi_places) *places, size_t first, SHI_FN(shi_bunch) *o)
+{
+    const size_t left = places->count - first, lanes = SHI_MANY(shi_polygon_lanes);
+    int i;
+    o->first = first;
+    o->used = (int)(left < lanes ? left : lanes);
+    o->valid = 1;
+    for (i = 0; i < o->used; i++) {
+        SHI_T *const x = o->at + 3 * i;
+        SHI_FN(shi_place)(places, first + (size_t)i, x);
+        o->good[i] = SHI_FN(shi_finite)(x, 3);
+        if (o->good[i]) continue;
+        o->valid = 0;
+        x[0] = x[1] = x[2] = 0;
+    }
+    SHI_MANY(shi_load3)(o->at, o->used, o->x);
+}
+
+/* All polygons, to->channels of the channels from `channel` on. Returns whether any is left for the engine, which does not need
+ * this one's stack. */
+SHI_NOINLINE int SHI_FN(shi_polygons_add)(const SHI_FN(shi_polygon_lights) *o, const SHI_FN(shi_bunch) *bunch, int channel,
+                                          SHI_FN(shi_shapes) *shapes, SHI_MANY(shi_received) *to)
+{
+    const int n = o->bands, end = o->planes == SH_GRADIENT ? SHI_RAY_AT(n) : SHI_SLOPE_AT(n);
+    const SHI_T *v = o->vertices;
+    int any = 0, c, l;
+    size_t g;
+    to->surface = 0;
+    for (c = 0; c < to->channels; c++) {
+        to->omega[c] = SHI_MANY(shi_splat)(0);
+        to->radiance[c] = 1;
+        for (l = SHI_FLUX_AT(n); l < end; l++) to->totals[c * SHI_TOTALS(n) + l] = SHI_MANY(shi_splat)(0);
+    }
+    for (g = 0; g < o->count; v += 3 * o->counts[g++]) {
+        const SHI_FN(shi_shape) *const shape = SHI_FN(shi_shape_of)(shapes, g, (size_t)o->counts[g], v);
+        for (c = 0; o->radiance && c < to->channels; c++) to->radiance[c] = o->radiance[(size_t)(channel + c) * o->count + g];
+        any |= SHI_MANY(shi_any)(SHI_MANY(shi_polygon_block)(n, o->planes, o->sides, bunch->x, shape, to));
+    }
+    return any;
+}
+
+/* out[good places of the bunch][planes][N], one channel of the stride of all, from what they received */
+SHI_INLINE void SHI_FN(shi_polygons_put)(const SHI_FN(shi_polygon_lights) *o, const SHI_FN(shi_bunch) *bunch, int c,
+                                         const SHI_MANY(shi_received) *from, SHI_T *out)
+{
+    const int lanes = SHI_MANY(shi_polygon_lanes), n = o->bands, rows = o->planes * n * n;
+    const size_t stride = (size_t)o->channels * (size_t)rows;
+    SHI_MANY(shi_vector) *const results = from->work;
+    const SHI_T *const lane = (const SHI_T *)(const void *)results;
+    int i;
+    SHI_MANY(shi_polygon_finish)(n, o->planes, from->surface, from->totals + c * SHI_TOTALS(n), results);
+    results[0] += from->omega[c] * SHI_C(SHI_Y00);
+    if (bunch->valid) {
+        SHI_MANY(shi_transpose_block)(lane, lanes, rows, out, stride, bunch->used);
+        return;
+    }
+    for (i = 0; i < bunch->used; i++)
+        if (bunch->good[i]) SHI_ONE(shi_transpose_block)(lane + i, lanes, rows, out + (size_t)i * stride, stride, 1);
+}
+
+/* Rare: adds what the kernel left out, by the engine, to the channels `channel`, ... of out[places][channels][planes][N]. */
+SHI_NOINLINE int SHI_FN(shi_polygons_exact)(const SHI_FN(shi_polygon_lights) *o, const SHI_FN(shi_bunch) *bunch, int channel,
+                                            int channels, SHI_FN(shi_shapes) *shapes, SHI_T *out)
+{
+    const int size = o->bands * o->bands, rows = o->planes * size;
+    double value[4 * SH_MAX_POLYGON_BANDS * SH_MAX_POLYGON_BANDS], *const grad = o->planes == SH_GRADIENT ? value + size : NULL;
+    const SHI_T *v = o->vertices;
+    size_t g;
+    int status = SH_OK, i, c, k, l;
+    for (g = 0; g < o->count; v += 3 * o->counts[g++]) {
+        const size_t count = (size_t)o->counts[g];
+        const SHI_FN(shi_shape) *const shape = SHI_FN(shi_shape_of)(shapes, g, count, v);
+        const SHI_MANY(shi_mask) left = SHI_MANY(shi_polygon_block)(o->bands, o->planes, o->sides, bunch->x, shape, NULL);
+        SHI_I marks[SHI_MANY(shi_polygon_lanes)];
+        memcpy(marks, &left, sizeof marks);
+        for (i = 0; i < bunch->used; i++) {
+            double x[3];
+            int one;
+            if (!marks[i] || !bunch->good[i]) continue;
+            for (k = 0; k < 3; k++) x[k] = (double)bunch->at[3 * i + k];
+            one = shi_polygon_engine(o->bands, o->sides, SHI_BITS == 64, x, count, v, SHI_BITS == 32, value, grad, NULL);
+            if (one > status) status = one;
+            for (c = channel; c < channel + channels; c++) {
+                const double f = o->radiance ? (double)o->radiance[(size_t)c * o->count + g] : 1;
+                SHI_T *const to = out + ((bunch->first + (size_t)i) * (size_t)o->channels + (size_t)c) * (size_t)rows;
+                for (l = 0; l < rows; l++) to[l] = SHI_FN(shi_polygon_round)((double)to[l] + f * value[l]);
             }
         }
     }
     return status;
 }
 
+/* W points at a time; up to three channels share a pass over the polygons. work: SHI_POLYGON_WORK(bands) */
 #define SHI_POLYGON_WORK(n) (3 * SHI_TOTALS(n) + SHI_POLYGON_SUMS(n))
-SHI_NOINLINE int SHI_FN(shi_polygons_10)(int n, int planes, int channels, int sides, size_t points, const SHI_T *point,
-                                         const SHI_FN(sh_grid) *grid, size_t first, size_t polygons, const int *counts,
-                                         const SHI_T *vertices, const SHI_T *radiance, SHI_T *out)
+SHI_INLINE int SHI_FN(shi_polygons_with)(const SHI_FN(shi_polygon_lights) *o, SHI_MANY(shi_vector) *work, SHI_T *out)
+{
+    const size_t row = (size_t)(o->planes * o->bands * o->bands);
+    SHI_FN(shi_shapes) shapes;
+    SHI_MANY(shi_received) to;
+    int status = SH_OK, c, k;
+    size_t p;
+    to.totals = work;
+    to.work = work + 3 * SHI_TOTALS(o->bands);
+    to.rules.made = 0;
+    SHI_FN(shi_shapes_open)(o, &shapes);
+    for (p = 0; p < o->places.count; p += SHI_MANY(shi_polygon_lanes)) {
+        SHI_FN(shi_bunch) bunch;
+        SHI_FN(shi_bunch_open)(&o->places, p, &bunch);
+        if (!bunch.valid) status = SH_ERROR_NOT_FINITE;
+        for (c = 0; c < o->channels; c += 3) {
+            int left, one;
+            to.channels = o->channels - c < 3 ? o->channels - c : 3;
+            left = SHI_FN(shi_polygons_add)(o, &bunch, c, &shapes, &to);
+            for (k = 0; k < to.channels; k++)
+                SHI_FN(shi_polygons_put)(o, &bunch, k, &to, out + (p * (size_t)o->channels + (size_t)(c + k)) * row);
+            one = left ? SHI_FN(shi_polygons_exact)(o, &bunch, c, to.channels, &shapes, out) : SH_OK;
+            if (one > status && status >= 0) status = one;
+        }
+    }
+    return status;
+}
+/* the stack follows the band count */
+SHI_NOINLINE int SHI_FN(shi_polygons_10)(const SHI_FN(shi_polygon_lights) *o, SHI_T *out)
 {
     SHI_MANY(shi_vector) work[SHI_POLYGON_WORK(10)];
-    return SHI_FN(shi_polygons_with)(n, planes, channels, sides, points, point, grid, first, polygons, counts,
-                                     vertices, radiance, out, work);
+    return SHI_FN(shi_polygons_with)(o, work, out);
 }
-SHI_NOINLINE int SHI_FN(shi_polygons_16)(int n, int planes, int channels, int sides, size_t points, const SHI_T *point,
-                                         const SHI_FN(sh_grid) *grid, size_t first, size_t polygons, const int *counts,
-                                         const SHI_T *vertices, const SHI_T *radiance, SHI_T *out)
+SHI_NOINLINE int SHI_FN(shi_polygons_16)(const SHI_FN(shi_polygon_lights) *o, SHI_T *out)
 {
     SHI_MANY(shi_vector) work[SHI_POLYGON_WORK(SH_MAX_POLYGON_BANDS)];
-    n = n < SH_MAX_POLYGON_BANDS
-          ? n
-          : SH_MAX_POLYGON_BANDS; /* is; a compiler that clones this for 17 cannot know */
-    return SHI_FN(shi_polygons_with)(n, planes, channels, sides, points, point, grid, first, polygons, counts,
-                                     vertices, radiance, out, work);
+    return SHI_FN(shi_polygons_with)(o, work, out);
 }
-SHI_INLINE int SHI_FN(shi_polygons_any)(int n, int planes, int channels, int sides, size_t points, const SHI_T *point,
-                                        const SHI_FN(sh_grid) *grid, size_t first, size_t polygons, const int *counts,
-                                        const SHI_T *vertices, const SHI_T *radiance, SHI_T *out)
+SHI_INLINE int SHI_FN(shi_polygons)(const SHI_FN(shi_polygon_lights) *o, SHI_T *out)
 {
-    return n <= 10 ? SHI_FN(shi_polygons_10)(n, planes, channels, sides, points, point, grid, first, polygons,
-                                             counts, vertices, radiance, out)
-                   : SHI_FN(shi_polygons_16)(n, planes, channels, sides, points, point, grid, first, polygons,
-                                             counts, vertices, radiance, out);
+    const int status = SHI_FN(shi_check_polygon_lights)(o, out);
+    return status || !o->places.count ? status
+         : o->bands <= 10             ? SHI_FN(shi_polygons_10)(o, out)
+                                      : SHI_FN(shi_polygons_16)(o, out);
 }
 
 /* Sums of many polygons at many points: the fast path, SIMD over points, in T.
@@ -5692,13 +5801,9 @@ SHI_INLINE int SHI_FN(shi_polygons_any)(int n, int planes, int channels, int sid
 SH_API int SHI_FN(sh_polygons_n)(int bands, int planes, int channels, int sides, size_t points, const SHI_T *point,
                                  size_t polygons, const int *counts, const SHI_T *vertices, const SHI_T *radiance, SHI_T *out)
 {
-    const int status = points && !point
-                         ? SH_ERROR_NULL
-                         : SHI_FN(shi_polygons_check)(bands, planes, channels, sides, points, point, polygons,
-                                                      counts, vertices, radiance, out);
-    if (status || !points) return status;
-    return SHI_FN(shi_polygons_any)(bands, planes, channels, sides, points, point, NULL, 0, polygons, counts,
-                                    vertices, radiance, out);
+    const SHI_FN(shi_polygon_lights) o = { bands, planes, channels, sides, { points, 0, point, NULL }, polygons, counts,
+                                           vertices, radiance };
+    return SHI_FN(shi_polygons)(&o, out);
 }
 
 /* One point: out[channels][planes][N]. */
@@ -5713,15 +5818,10 @@ SH_API int SHI_FN(sh_polygons_grid)(int bands, int planes, int channels, int sid
                                     size_t nodes, size_t polygons, const int *counts, const SHI_T *vertices,
                                     const SHI_T *radiance, SHI_T *out)
 {
-    int status;
-    if (!grid) return SH_ERROR_NULL;
-    status = SHI_FN(shi_check_grid)(grid, first, nodes);
-    if (!status)
-        status = SHI_FN(shi_polygons_check)(bands, planes, channels, sides, nodes, NULL, polygons, counts,
-                                            vertices, radiance, out);
-    if (status || !nodes) return status;
-    return SHI_FN(shi_polygons_any)(bands, planes, channels, sides, nodes, NULL, grid, first, polygons,
-                                    counts, vertices, radiance, out);
+    const SHI_FN(shi_polygon_lights) o = { bands, planes, channels, sides, { nodes, first, NULL, grid }, polygons, counts,
+                                           vertices, radiance };
+    const int status = grid ? SHI_FN(shi_check_grid)(grid, first, nodes) : SH_ERROR_NULL;
+    return status ? status : SHI_FN(shi_polygons)(&o, out);
 }
 
 /* ---- WR18's route ---- */
@@ -5839,20 +5939,9 @@ SH_API int SHI_FN(sh_polygon_zonal)(int bands, const SHI_T axis[3], const SHI_T 
 SHI_INLINE int SHI_FN(shi_lobe_set)(int bands, const double **dirs, const double **weights)
 {
     static const int sizes[6] = { 3, 5, 7, 9, 12, 16 };
-    const double *d[6], *w[6];
+    const double *const d[6] = { shi_lobes_3, shi_lobes_5, shi_lobes_7, shi_lobes_9, shi_lobes_12, shi_lobes_16 };
+    const double *const w[6] = { shi_weights_3, shi_weights_5, shi_weights_7, shi_weights_9, shi_weights_12, shi_weights_16 };
     int i = 0;
-    d[0] = shi_lobes_3;
-    d[1] = shi_lobes_5;
-    d[2] = shi_lobes_7;
-    d[3] = shi_lobes_9;
-    d[4] = shi_lobes_12;
-    d[5] = shi_lobes_16;
-    w[0] = shi_weights_3;
-    w[1] = shi_weights_5;
-    w[2] = shi_weights_7;
-    w[3] = shi_weights_9;
-    w[4] = shi_weights_12;
-    w[5] = shi_weights_16;
     while (sizes[i] < bands) i++;
     *dirs = d[i];
     *weights = w[i];
@@ -5860,13 +5949,12 @@ SHI_INLINE int SHI_FN(shi_lobe_set)(int bands, const double **dirs, const double
 }
 
 /* One channel, one point: S_l of all polygons at the lobes, then the weights once. sums: 4 n vectors per vector of lobes. */
-SHI_INLINE int SHI_FN(shi_zonal_point)(int n, int planes, int sides, const SHI_T x[3], size_t polygons, const int *counts,
-                                       const SHI_T *vertices, const SHI_T *radiance, int vectors,
+SHI_INLINE int SHI_FN(shi_zonal_point)(const SHI_FN(shi_polygon_lights) *o, int channel, const SHI_T x[3], int vectors,
                                        const SHI_MANY(shi_vector) *dirs, const SHI_T *weights, const double *exact_steps,
                                        SHI_MANY(shi_vector) *sums, SHI_T *out)
 {
-    const int size = n * n;
-    const SHI_T *v = vertices;
+    const int n = o->bands, size = n * n, planes = o->planes, sides = o->sides, *const counts = o->counts;
+    const SHI_T *const radiance = o->radiance ? o->radiance + (size_t)channel * o->count : NULL, *v = o->vertices;
     double extra[4 * SH_MAX_POLYGON_BANDS * SH_MAX_POLYGON_BANDS], point[3];
     SHI_T steps[5 * SH_MAX_POLYGON_BANDS];
     size_t g, i;
@@ -5874,7 +5962,7 @@ SHI_INLINE int SHI_FN(shi_zonal_point)(int n, int planes, int sides, const SHI_T
     for (l = 0; l < 4 * n * vectors; l++) sums[l] = SHI_MANY(shi_splat)(0);
     for (l = 5; l < 5 * n; l++) steps[l] = (SHI_T)exact_steps[l];
     for (k = 0; k < 3; k++) point[k] = (double)x[k];
-    for (g = 0; g < polygons; v += 3 * counts[g++]) {
+    for (g = 0; g < o->count; v += 3 * counts[g++]) {
         const SHI_T r = radiance ? radiance[g] : SHI_C(1);
         double omega, signed_omega, c[1];
         SHI_T f;
@@ -5940,12 +6028,11 @@ SH_API int SHI_FN(sh_polygons_zonal_n)(int bands, int planes, int channels, int 
     SHI_MANY(shi_vector) dirs[3 * MOST], sums[4 * SH_MAX_POLYGON_BANDS * MOST];
     SHI_T weights[SH_MAX_POLYGON_BANDS * SH_MAX_POLYGON_BANDS * MOST * W];
     double steps[5 * SH_MAX_POLYGON_BANDS];
-    int lobes, vectors, i, d, k, l, c,
-        status = points && !point ? SH_ERROR_NULL
-                                  : SHI_FN(shi_polygons_check)(bands, planes, channels, sides, points, point,
-                                                               polygons, counts, vertices, radiance, out);
+    const SHI_FN(shi_polygon_lights) o = { bands, planes, channels, sides, { points, 0, point, NULL }, polygons, counts,
+                                           vertices, radiance };
+    int lobes, vectors, i, d, k, l, c, status = SHI_FN(shi_check_polygon_lights)(&o, out);
     size_t p;
-    if (status || !points) return status;
+    if (status || !o.places.count) return status;
     lobes = 2 * SHI_FN(shi_lobe_set)(bands, &set_dirs, &set_weights) - 1;
     vectors = (lobes + W - 1) / W;
     for (d = 0; d < vectors; d++)
@@ -5961,16 +6048,17 @@ SH_API int SHI_FN(sh_polygons_zonal_n)(int bands, int planes, int channels, int 
                 weights[i * vectors * W + d] = d < lobes ? (SHI_T)(f * set_weights[i * lobes + d]) : SHI_C(0);
     }
     shi_zonal_steps(bands, steps);
-    for (p = 0; p < points; p++) {
-        if (!SHI_FN(shi_finite)(point + 3 * p, 3)) {
+    for (p = 0; p < o.places.count; p++) {
+        SHI_T x[3];
+        SHI_FN(shi_place)(&o.places, p, x);
+        if (!SHI_FN(shi_finite)(x, 3)) {
             status = SH_ERROR_NOT_FINITE;
             continue;
         }
         for (c = 0; c < channels; c++) {
-            const int one = SHI_FN(shi_zonal_point)(
-                bands, planes, sides, point + 3 * p, polygons, counts, vertices,
-                radiance ? radiance + (size_t)c * polygons : NULL, vectors, dirs, weights, steps, sums,
-                out + (p * (size_t)channels + (size_t)c) * (size_t)(planes * bands * bands));
+            const int one =
+                SHI_FN(shi_zonal_point)(&o, c, x, vectors, dirs, weights, steps, sums,
+                                        out + (p * (size_t)channels + (size_t)c) * (size_t)(planes * bands * bands));
             if (one > status && status >= 0) status = one;
         }
     }

@@ -337,6 +337,7 @@ static void F(grids)(void **state)
     static T v[3 * 9], p[3 * NODES], grid_out[NODES * 5 * 4 * N], point_out[NODES * 5 * 4 * N],
         single[NODES * 4 * N], radiance[10];
     static const int counts[2] = { 4, 5 };
+    static union { F(sh_grid) grid; T out[NODES * 4 * N]; } over;
     F(sh_grid) g = { { -1, -2, (T)-1.5 }, { (T)0.75, 1, (T)0.875 }, { 3, 2, 4 } };
     T unused[3];
     int i, k, c, at;
@@ -370,6 +371,9 @@ static void F(grids)(void **state)
     assert_int_equal(
         F(sh_polygons_grid)(4, SH_GRADIENT, 5, SH_BOTH, &g, 20, 5, 2, counts, v, radiance, grid_out),
         SH_ERROR_COUNT);
+    over.grid = g;
+    assert_int_equal(F(sh_polygons_grid)(4, SH_GRADIENT, 1, SH_BOTH, &over.grid, 0, NODES, 2, counts, v, NULL, over.out),
+                     SH_ERROR_OVERLAP);
 }
 
 /* points in the plane of a light, within a batch of others: as sh_polygon */
