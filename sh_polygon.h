@@ -3648,6 +3648,13 @@ SHI_INLINE double shi_gauss_node(int n, int i, double *weight)
     return i < low ? 0.5 * (1 - shi_gauss_x[n * n / 4 + j]) : 0.5 * (1 + shi_gauss_x[n * n / 4 + j]);
 }
 
+#define SHI_SLIVER 1e-6               /* a fan's triangle does not count for its side below this share of its area */
+
+SHI_INLINE double shi_dot3(const double a[3], const double b[3])
+{
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
 /* ---- exact differences and products: a value as an unevaluated sum of two doubles (Knuth; Dekker) ----
  * volatile keeps every rounding where it is written, under contraction and -ffast-math too */
 
@@ -3778,6 +3785,7 @@ typedef struct {
     const SHI_T *v;
     SHI_T center[3], radius;
     const double *normal;
+    double area[3];                                         /* the sum of all normals; 0 for a triangle */
 } SHI_FN(shi_shape);
 
 SHI_INLINE void SHI_FN(shi_measure)(size_t count, const SHI_T *v, double *normal, SHI_FN(shi_shape) *o)
@@ -3798,8 +3806,12 @@ SHI_INLINE void SHI_FN(shi_measure)(size_t count, const SHI_T *v, double *normal
     }
     o->radius = SHI_LIBM(sqrt)(most);
     o->normal = normal;
-    for (i = 1; normal && i + 1 < count; i++)
-        SHI_FN(shi_fan_normal)(v, v + 3 * i, v + 3 * i + 3, normal + 3 * (i - 1));
+    for (k = 0; k < 3; k++) o->area[k] = 0;
+    for (i = 1; (normal || count > 3) && i + 1 < count; i++) {
+        double own[3], *const n = normal ? normal + 3 * (i - 1) : own;
+        SHI_FN(shi_fan_normal)(v, v + 3 * i, v + 3 * i + 3, n);
+        for (k = 0; k < 3 && count > 3; k++) o->area[k] += n[k];
+    }
 }
 /* ... of triangle 0, i, i+1 */
 SHI_INLINE const double *SHI_FN(shi_shape_normal)(const SHI_FN(shi_shape) *s, size_t i, double own[3])
@@ -4354,6 +4366,7 @@ typedef struct {
     SHI_V sign;                             /* of the light: by its side */
     SHI_V size;                             /* (bands + 1) times the angular diameter, where `compact` */
     SHI_M compact, bad;                     /* small enough for rules; for the engine */
+    int halves;                             /* a quadrilateral whose triangles face one way */
 } SHI_KN(shi_view);
 
 /* what W points receive: totals and solid angles of up to three channels, which polygons add to */
@@ -4384,11 +4397,12 @@ SHI_INLINE int SHI_KN(shi_polygon_view)(int n, int sides, const SHI_V points[3],
     const SHI_T *const center = shape->center, radius = shape->radius;
     const SHI_V zero = SHI_SPLAT(0), one = SHI_SPLAT(1);
     SHI_V d2 = zero, dist, size, volume = zero;
-    SHI_M bad = (SHI_M)(zero == zero), compact;
+    SHI_M bad = (SHI_M)(zero == zero), front = (SHI_M)(zero != zero), back = front, compact;
     size_t i;
     int k;
     o->shape = shape;
     o->bad = bad;
+    o->halves = shape->count == 4;
     if (!(radius > smallest && radius < biggest)) return 0;
     for (k = 0; k < 3; k++) d2 += (center[k] - points[k]) * (center[k] - points[k]);
     dist = SHI_SQRT(d2);
@@ -4401,11 +4415,17 @@ SHI_INLINE int SHI_KN(shi_polygon_view)(int n, int sides, const SHI_V points[3],
     o->size = SHI_SELECT(compact, size, SHI_SPLAT(100));
     o->compact = compact & (SHI_M)(o->size < SHI_C(shi_rule_limits[SHI_BITS == 64][SHI_RULES - 1]));
     for (i = 1; i + 1 < shape->count; i++) {
-        const SHI_V det = SHI_KN(shi_fan_det)(shape, o->x, i);
+        double own[3];
+        const double *const normal = SHI_FN(shi_shape_normal)(shape, i, own), along = shi_dot3(normal, shape->area);
+        const SHI_V det = SHI_KN(shi_polygon_height)(o->x, shape->v, normal);
         volume += det;
         if (i <= SHI_ARCS) o->det[i - 1] = det;
+        if (!(along > 0)) o->halves = 0;
+        if (fabs(along) <= SHI_SLIVER * shi_dot3(shape->area, shape->area)) continue;
+        front |= (SHI_M)((along < 0 ? -det : det) < zero);      /* as shi_scene_between */
+        back |= (SHI_M)((along < 0 ? -det : det) > zero);
     }
-    o->bad = bad | (SHI_M)(volume == zero);
+    o->bad = bad | (SHI_M)(volume == zero) | (front & back);
     o->sign = sides == SH_SIGNED ? -one : SHI_SELECT(volume < zero, -one, sides == SH_FRONT ? zero : one);
     return 1;
 }
@@ -4489,13 +4509,17 @@ SHI_INLINE void SHI_KN(shi_polygon_around)(int n, int gradient, int most, SHI_KN
         cosine = SHI_KN(shi_polygon_arc)(&a, &b, e, end_on, at_vertex, &arcs[fill], &view->bad);
         if (!to) continue;
         if (i == 0) fan.shared = cosine;
-        else if (i + 1 < count)             /* two halves of a quadrilateral are less than pi: their product has an argument */
-            SHI_KN(shi_fan_add)(&fan, i == 1 || count == 4, SHI_KN(shi_view_det)(view, i), &first, &a, &b, cosine);
+        else if (i + 1 < count)             /* half of two halves is less than pi: their product has an argument ... */
+            SHI_KN(shi_fan_add)(&fan, i == 1 || view->halves, SHI_KN(shi_view_det)(view, i), &first, &a, &b, cosine);
         if (++fill < most && i + 1 < count) continue;
         SHI_KN(shi_polygon_along)(n, gradient, view, fill, arcs, to);
         fill = 0;
     }
     if (!to) return;
+    if (view->halves) {                     /* ... of their sign, even where it rounds to -pi */
+        const SHI_V positive = SHI_ABS(fan.s), right = SHI_SELECT(view->det[0] + view->det[1] < zero, -positive, positive);
+        fan.s = SHI_SELECT(fan.c < zero, right, fan.s);
+    }
     fan.sum += SHI_KN(shi_fan_angle)(fan.c, fan.s);
     /* the fan is relatively exact but near its sides' planes, where the sides are long and turn well-defined angles */
     wide = SHI_KN(shi_view_wide)(view);
@@ -4700,10 +4724,6 @@ SHI_INLINE void SHI_KN(shi_polygon_lobe_sum)(int n, int vectors, const SHI_T *we
 
 #if SHI_BITS == 64
 
-SHI_INLINE double shi_dot3(const double a[3], const double b[3])
-{
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
 SHI_INLINE void shi_cross3(const double a[3], const double b[3], double c[3])
 {
     c[0] = a[1] * b[2] - a[2] * b[1];
@@ -4983,6 +5003,31 @@ SHI_INLINE void shi_sink_add(shi_sink *sink, double *s_out, double *t_out)
     for (i = 0; i < sink->nt * (sink->nt + 1); i++) t_out[i] = SHI_MANY(shi_sum)(sink->t[i]);
 }
 
+/* Whether the point is on both sides of the fan: between its triangles, near the plane of a polygon that rounding has bent.
+ * The sum of triangles' directed areas tells their common side; slivers, whose own may point anywhere, do not count. */
+SHI_INLINE int shi_scene_between(const shi_scene *scene)
+{
+    double area[3] = { 0, 0, 0 };
+    int front = 0, back = 0, pass, k;
+    size_t i;
+    shi_two first[3];
+    shi_scene_vertex(scene, 0, first);
+    for (pass = 0; pass < 2 && scene->count > 3; pass++)
+        for (i = 1; i + 1 < scene->count; i++) {
+            shi_two d1[3], d2[3], n[3];
+            double det = shi_scene_fan(scene, first, i, d1, d2, n), along = 0;
+            for (k = 0; k < 3; k++) {
+                if (pass == 0) area[k] += n[k].h;
+                along += n[k].h * area[k];
+            }
+            if (pass == 0 || fabs(along) <= SHI_SLIVER * shi_dot3(area, area)) continue;
+            if (along < 0) det = -det;
+            front |= det < 0;
+            back |= det > 0;
+        }
+    return front && back;
+}
+
 /* Coefficients (and gradient, if grad) in double, of exact positions. tight: 0 leaves 2e-10, 1 leaves 1e-16.
  * fan_size, if not NULL, receives the sum of |solid angle| over the fan of vertex 0. */
 SHI_NOINLINE int shi_polygon_engine(int bands, int sides, int tight, const double point[3], size_t count, const void *vertices,
@@ -5064,6 +5109,7 @@ SHI_NOINLINE int shi_polygon_engine(int bands, int sides, int tight, const doubl
         edges = 1;
     } else {
         if (fan_size) *fan_size = spread;
+        if (shi_scene_between(&scene)) volume = signed_sum;
         sign = volume < 0 ? -1 : 1;                         /* < 0: the point is in front */
         if (sides == SH_FRONT && sign > 0) return SH_OK;
         if (sides == SH_SIGNED) sign = -1;
@@ -5347,7 +5393,7 @@ SHI_NOINLINE int shi_within_engine(int bands, int sides, int tight, double toler
         for (k = 0; k < 5; k++) total[k] += sqrt(sums[k]);
     }
     for (way = SPHERE; way < EXACT && !(total[way] <= tolerance); way++) {}
-    if (volume == 0) way = EXACT;
+    if (volume == 0 || shi_scene_between(&scene)) way = EXACT;
     if (used)
         *used = way == SPHERE ? SH_USED_SPHERE : way == EXACT ? SH_USED_EXACT
               : way == POINT4 || way == SEVEN4 ? SH_USED_SUBDIVISION : SH_USED_CUBATURE;
@@ -5366,12 +5412,13 @@ SHI_NOINLINE int shi_within_engine(int bands, int sides, int tight, double toler
         for (k = 0; k < 3; k++) n2[k] = n[k].h;
         if (det == 0) continue;
         if (way == SPHERE) {
-            double v[9], x[3] = { 0, 0, 0 }, c[SH_MAX_POLYGON_BANDS * SH_MAX_POLYGON_BANDS],
-                         g[3 * SH_MAX_POLYGON_BANDS * SH_MAX_POLYGON_BANDS];
-            for (k = 0; k < 3; k++) {
-                v[k] = first[k].h;
-                v[3 + k] = first[k].h + d1[k].h;
-                v[6 + k] = first[k].h + d2[k].h;
+            double v[9], x[3], c[SH_MAX_POLYGON_BANDS * SH_MAX_POLYGON_BANDS];
+            double g[3 * SH_MAX_POLYGON_BANDS * SH_MAX_POLYGON_BANDS];
+            for (k = 0; k < 3; k++) {                       /* about vertex 0: however far, the edges keep their digits */
+                v[k] = 0;
+                v[3 + k] = d1[k].h;
+                v[6 + k] = d2[k].h;
+                x[k] = -first[k].h;
             }
             shi_triangle_sphere(bands, SH_SIGNED, x, v, c, grad ? g : NULL, NULL);
             for (k = 0; k < size; k++) out[k] -= c[k];
@@ -6100,7 +6147,7 @@ SH_API int SHI_FN(sh_textured_quad)(const SHI_T quad[12], int width, int height,
     if (!quad || !texels || !pieces) return SH_ERROR_NULL;
     if (width < 1 || height < 1 || channels < 1) return SH_ERROR_COUNT;
     if (!SHI_FN(shi_finite)(quad, 12)) return SH_ERROR_NOT_FINITE;
-    if (!(tolerance >= 0)) return SH_ERROR_OPTION;
+    if (SHI_FN(shi_is_nan)(tolerance) || tolerance < 0) return SH_ERROR_OPTION;
     {
         const size_t read = (size_t)width * (size_t)height * (size_t)channels * sizeof *texels;
         const size_t last = counts && vertices && radiance ? most : 0;              /* pieces that may be written */

@@ -109,7 +109,8 @@ int main(void)
                                     BOTH_TESTS(lanes),       BOTH_TESTS(grids),        BOTH_TESTS(on_light),
                                     BOTH_TESTS(statuses),    BOTH_TESTS(zonal),        BOTH_TESTS(route),
                                     BOTH_TESTS(sphere),      BOTH_TESTS(sphere_cases), BOTH_TESTS(within),
-                                    BOTH_TESTS(texture),     BOTH_TESTS(many_sided) };
+                                    BOTH_TESTS(texture),     BOTH_TESTS(many_sided),   BOTH_TESTS(bent),
+                                    BOTH_TESTS(within_far) };
     return RUN_TESTS(t);
 }
 #else
@@ -629,6 +630,70 @@ static void F(sphere_cases)(void **state)
 }
 
 /* the guarantee of sh_polygon_within, and that every way is taken */
+/* Needles from so far that a plain sum of position and edge would lose their width. */
+static void F(within_far)(void **state)
+{
+    row *w = row_open("sh_polygon_within, needles from afar", PRECISION);
+    int turn, i;
+    (void)state;
+    for (turn = 0; turn < effort(300); turn++) {
+        const double width = pow(10, ref_between(-7, 0)), distance = pow(10, ref_between(1, 8));
+        const T v[9] = { 0, 0, 0, 1, 0, 0, (T)0.5, (T)width, 0 };
+        T p[3], c[9], want[9], error;
+        double u[3];
+        int used;
+        long double norm = 0;
+        ref_unit(u);
+        if (fabs(u[2]) < 1e-3) continue;
+        for (i = 0; i < 3; i++) p[i] = (T)(distance * u[i]);
+        assert_int_equal(F(sh_polygon)(3, SH_BOTH, p, 3, v, want, NULL), SH_OK);
+        for (i = 0; i < 9; i++) norm += (long double)want[i] * (long double)want[i];
+        norm = sqrtl(norm);
+        assert_int_equal(F(sh_polygon_within)(3, SH_BOTH, (T)(1e-3L * norm), p, 3, v, c, NULL, &error, &used), SH_OK);
+        row_case("width %g distance %g used %d", width, distance, used);
+        for (i = 0; i < 9; i++) row_check(w, c[i], want[i], (long double)error + 128 * (long double)EPS * norm, i);
+    }
+    row_close(w);
+}
+
+/* Points in the plane of a parallelogram that rounding has bent: never light from the wrong side, and the calls agree. */
+static void F(bent)(void **state)
+{
+    row *w = row_open("parallelograms bent by rounding, in plane", PRECISION);
+    const int four = 4;
+    int turn, i, k, side;
+    (void)state;
+    for (turn = 0; turn < effort(4000); turn++) {
+        T v[12], p[3], one[3][4], many[3][4];
+        double u[3], t[3], a = ref_between(-0.5, 1.5), b = ref_between(-0.5, 1.5), c = 0;
+        for (k = 0; k < 3; k++) {
+            u[k] = ref_between(-1, 1);
+            t[k] = ref_between(-1, 1);
+        }
+        for (k = 0; k < 3; k++) c += pow(u[(k + 1) % 3] * t[(k + 2) % 3] - u[(k + 2) % 3] * t[(k + 1) % 3], 2);
+        if (c < 0.04 || fabs(fmax(fabs(a - 0.5), fabs(b - 0.5)) - 0.5) < 0.02) continue;    /* thin, or next to an edge */
+        for (k = 0; k < 3; k++) {
+            v[k] = 0;
+            v[3 + k] = (T)u[k];
+            v[6 + k] = (T)(u[k] + t[k]);
+            v[9 + k] = (T)t[k];
+            p[k] = (T)(u[k] * a + t[k] * b);
+        }
+        row_case("turn %d, %g %g", turn, a, b);
+        for (side = SH_BOTH; side <= SH_SIGNED; side++) {
+            assert_true(F(sh_polygon)(2, side, p, 4, v, one[side], NULL) >= 0);
+            assert_true(F(sh_polygons)(2, SH_VALUES, 1, side, p, 1, &four, v, NULL, many[side]) >= 0);
+            for (i = 0; i < 4 && IS_F32; i++)        /* in double the height itself is rounded, and with it which side it is */
+                row_check(w, many[side][i], one[side][i], 400 * (long double)EPS * ref_M(i > 0), i);
+        }
+        row_check(w, many[SH_BOTH][0], one[SH_BOTH][0], 400 * (long double)EPS * ref_M(0), 0);
+        assert_true((double)one[SH_BOTH][0] > -1e-12);
+        assert_true(one[SH_FRONT][0] == 0 || one[SH_FRONT][0] == one[SH_BOTH][0]);
+        assert_true(one[SH_SIGNED][0] == one[SH_BOTH][0] || one[SH_SIGNED][0] == -one[SH_BOTH][0]);
+    }
+    row_close(w);
+}
+
 static void F(within)(void **state)
 {
     row *w = row_open("sh_polygon_within error / its bound", PRECISION),
