@@ -758,7 +758,7 @@ SHI_KERNEL SHI_V SHI_KN(shi_square_error)(SHI_V d, SHI_V s)
 }
 /* cosine and sine of |a| <= pi/2: sine/a and cosine in a^2 are mpmath.chebyfit's on [0, (pi/2)^2], 5 and 6 terms for float
  * (errors 4.3e-9, 2.3e-10), 10 and 10 for double (7e-21) */
-SHI_KERNEL void SHI_KN(shi_arc)(SHI_V a, SHI_V *c, SHI_V *s)
+SHI_KERNEL void SHI_KN(shi_cos_sin_near)(SHI_V a, SHI_V *c, SHI_V *s)
 {
 #if SHI_BITS == 32
     enum { SINES = 5, COSINES = 6 };
@@ -791,7 +791,7 @@ SHI_KERNEL void SHI_KN(shi_arc)(SHI_V a, SHI_V *c, SHI_V *s)
 #else
 #define SHI_MOST_ANGLE (SHI_BITS == 32 ? SHI_C(6000) : SHI_C(1e6))
 #endif
-SHI_KERNEL void SHI_KN(shi_turned_arc)(SHI_V a, SHI_V *c, SHI_V *s)
+SHI_KERNEL void SHI_KN(shi_cos_sin_turned)(SHI_V a, SHI_V *c, SHI_V *s)
 {
 #if SHI_BITS == 32
     static const float quarter[3] = { 1.5703125f, 0.0004837512969970703125f, 7.549789954891882e-8f };
@@ -806,7 +806,7 @@ SHI_KERNEL void SHI_KN(shi_turned_arc)(SHI_V a, SHI_V *c, SHI_V *s)
     int i;
     SHI_UNROLL
     for (i = 0; i < 3; i++) a = SHI_FNMA(turns, SHI_SPLAT(quarter[i]), a);
-    SHI_KN(shi_arc)(a, &cosine, &sine);
+    SHI_KN(shi_cos_sin_near)(a, &cosine, &sine);
     *c = SHI_KN(shi_flip)(SHI_SELECT(odd, sine, cosine), -(((k + 1) & 2) >> 1) & minus);
     *s = SHI_KN(shi_flip)(SHI_SELECT(odd, cosine, sine), -((k & 2) >> 1) & minus);
 }
@@ -1145,7 +1145,7 @@ SHI_KERNEL void SHI_KN(shi_cos_sin)(SHI_V a, SHI_V *c, SHI_V *s)
     SHI_T angle[SHI_W], cosine[SHI_W], sine[SHI_W];
     int i;
     if (SHI_KN(shi_in_range)(SHI_ABS(a), 0, SHI_MOST_ANGLE)) {
-        SHI_KN(shi_turned_arc)(a, c, s);
+        SHI_KN(shi_cos_sin_turned)(a, c, s);
         return;
     }
     SHI_STORE(angle, a);
@@ -1153,7 +1153,7 @@ SHI_KERNEL void SHI_KN(shi_cos_sin)(SHI_V a, SHI_V *c, SHI_V *s)
         cosine[i] = SHI_LIBM(cos)(angle[i]);
         sine[i] = SHI_LIBM(sin)(angle[i]);
         if (SHI_ONE(shi_in_range)(SHI_ONE(shi_abs)(angle[i]), 0, SHI_MOST_ANGLE))
-            SHI_ONE(shi_turned_arc)(angle[i], &cosine[i], &sine[i]);
+            SHI_ONE(shi_cos_sin_turned)(angle[i], &cosine[i], &sine[i]);
     }
     *c = SHI_LOAD(cosine);
     *s = SHI_LOAD(sine);

@@ -3785,7 +3785,7 @@ typedef struct {
     const SHI_T *v;
     SHI_T center[3], radius;
     const double *normal;
-    double area[3];                                         /* the sum of all normals; 0 for a triangle */
+    double area[3], sliver;                                 /* the sum of all normals; what does not count along it */
 } SHI_FN(shi_shape);
 
 SHI_INLINE void SHI_FN(shi_measure)(size_t count, const SHI_T *v, double *normal, SHI_FN(shi_shape) *o)
@@ -3812,6 +3812,7 @@ SHI_INLINE void SHI_FN(shi_measure)(size_t count, const SHI_T *v, double *normal
         SHI_FN(shi_fan_normal)(v, v + 3 * i, v + 3 * i + 3, n);
         for (k = 0; k < 3 && count > 3; k++) o->area[k] += n[k];
     }
+    o->sliver = SHI_SLIVER * shi_dot3(o->area, o->area);
 }
 /* ... of triangle 0, i, i+1 */
 SHI_INLINE const double *SHI_FN(shi_shape_normal)(const SHI_FN(shi_shape) *s, size_t i, double own[3])
@@ -4124,36 +4125,6 @@ SHI_KERNEL SHI_V SHI_KN(shi_polygon_angle)(SHI_V y, SHI_V x)
     return SHI_SELECT(x < SHI_SPLAT(0), SHI_C(SHI_PI) - b, b);
 }
 
-/* sine and cosine of a in [0, pi/2]: mpmath.chebyfit of sin(sqrt(k))/sqrt(k) and cos(sqrt(k)) on [0, (pi/2)^2], 5 and 6 terms
- * for float (errors 4.3e-9, 2.3e-10), 10 and 10 for double (7e-21) */
-SHI_KERNEL void SHI_KN(shi_polygon_turn)(SHI_V a, SHI_V *c, SHI_V *s)
-{
-#if SHI_BITS == 32
-    enum { SINES = 5, COSINES = 6 };
-    static const float sines[5] = { 0.99999999569880902f, -0.16666657947846011f, 0.0083330501706717732f,
-        -0.00019809017408678004f, 2.6051076353347881e-6f };
-    static const float cosines[6] = { 0.99999999977915403f, -0.49999999355437857f, 0.041666636159723193f,
-        -0.0013888360284403018f, 2.4760109673159874e-5f, -2.6050657493719743e-7f };
-#else
-    enum { SINES = 10, COSINES = 10 };
-    static const double sines[10] = { 1.0, -0.16666666666666667, 0.008333333333333333, -0.0001984126984126967,
-        2.7557319223940713e-6, -2.5052108378602197e-8, 1.6059043206300948e-10, -7.6471277399664175e-13,
-        2.8102145350022103e-15, -7.9825189617838324e-18 };
-    static const double cosines[10] = { 1.0, -0.5, 0.04166666666666666, -0.001388888888888853,
-        2.4801587301492642e-5, -2.755731920965447e-7, 2.0876755666578905e-9, -1.1470670165323271e-11,
-        4.7768722491448073e-14, -1.5119827834217994e-16 };
-#endif
-    const SHI_V k = a * a;
-    SHI_V sine = SHI_SPLAT(sines[SINES - 1]), cosine = SHI_SPLAT(cosines[COSINES - 1]);
-    int i;
-    SHI_UNROLL
-    for (i = SINES - 2; i >= 0; i--) sine = sine * k + sines[i];
-    SHI_UNROLL
-    for (i = COSINES - 2; i >= 0; i--) cosine = cosine * k + cosines[i];
-    *s = a * sine;
-    *c = cosine;
-}
-
 /* (v - x) . n, rounded once: in double for float lanes */
 SHI_KERNEL SHI_V SHI_KN(shi_polygon_height)(const SHI_V x[3], const SHI_T v[3], const double n[3])
 {
@@ -4257,7 +4228,7 @@ SHI_KERNEL void SHI_KN(shi_polygon_arc_sums)(int n, int ns, int nt, const SHI_KN
             const SHI_T turn = panels == 1 ? (SHI_T)x : (SHI_T)((2 * p + 1 + x) / panels);
             const SHI_V weight = (SHI_T)(shi_gauss_w[at] / panels) * half;
             SHI_V *const o = node + 5 * fill, c, d;
-            SHI_KN(shi_polygon_turn)(turn * half, &c, &d);
+            SHI_KN(shi_cos_sin_near)(turn * half, &c, &d);
             for (k = 0; k < 3; k++) {
                 const SHI_V m = c * arc->mid[k], a = d * arc->along[k];
                 o[k] = m + a;
@@ -4397,9 +4368,9 @@ SHI_INLINE int SHI_KN(shi_polygon_view)(int n, int sides, const SHI_V points[3],
     const SHI_T *const center = shape->center, radius = shape->radius;
     const SHI_V zero = SHI_SPLAT(0), one = SHI_SPLAT(1);
     SHI_V d2 = zero, dist, size, volume = zero;
-    SHI_M bad = (SHI_M)(zero == zero), front = (SHI_M)(zero != zero), back = front, compact;
+    SHI_M bad = (SHI_M)(zero == zero), between = (SHI_M)(zero != zero), first = between, compact;
     size_t i;
-    int k;
+    int any = 0, k;
     o->shape = shape;
     o->bad = bad;
     o->halves = shape->count == 4;
@@ -4416,16 +4387,21 @@ SHI_INLINE int SHI_KN(shi_polygon_view)(int n, int sides, const SHI_V points[3],
     o->compact = compact & (SHI_M)(o->size < SHI_C(shi_rule_limits[SHI_BITS == 64][SHI_RULES - 1]));
     for (i = 1; i + 1 < shape->count; i++) {
         double own[3];
-        const double *const normal = SHI_FN(shi_shape_normal)(shape, i, own), along = shi_dot3(normal, shape->area);
+        const double *const normal = SHI_FN(shi_shape_normal)(shape, i, own);
         const SHI_V det = SHI_KN(shi_polygon_height)(o->x, shape->v, normal);
         volume += det;
         if (i <= SHI_ARCS) o->det[i - 1] = det;
-        if (!(along > 0)) o->halves = 0;
-        if (fabs(along) <= SHI_SLIVER * shi_dot3(shape->area, shape->area)) continue;
-        front |= (SHI_M)((along < 0 ? -det : det) < zero);      /* as shi_scene_between */
-        back |= (SHI_M)((along < 0 ? -det : det) > zero);
+        if (shape->count > 3) {
+            const double along = shi_dot3(normal, shape->area);
+            const SHI_M side = SHI_BITS_OF(along < 0 ? -det : det);
+            if (!(along > 0)) o->halves = 0;
+            if (fabs(along) <= shape->sliver) continue;
+            if (any) between |= side ^ first;               /* sign bits, as shi_scene_between */
+            else first = side;
+            any = 1;
+        }
     }
-    o->bad = bad | (SHI_M)(volume == zero) | (front & back);
+    o->bad = bad | (SHI_M)(volume == zero) | (SHI_M)(between < 0);
     o->sign = sides == SH_SIGNED ? -one : SHI_SELECT(volume < zero, -one, sides == SH_FRONT ? zero : one);
     return 1;
 }
@@ -5651,7 +5627,7 @@ SHI_INLINE int SHI_FN(shi_check_polygon_lights)(const SHI_FN(shi_polygon_lights)
 typedef struct {
     size_t known;
     SHI_FN(shi_shape) shape[17];
-    double normals[3 * 64];
+    double normals[3 * 64], last[3 * 8];
 } SHI_FN(shi_shapes);
 
 SHI_INLINE void SHI_FN(shi_shapes_open)(const SHI_FN(shi_polygon_lights) *o, SHI_FN(shi_shapes) *s)
@@ -5669,7 +5645,7 @@ SHI_INLINE void SHI_FN(shi_shapes_open)(const SHI_FN(shi_polygon_lights) *o, SHI
 SHI_INLINE const SHI_FN(shi_shape) *SHI_FN(shi_shape_of)(SHI_FN(shi_shapes) *s, size_t polygon, size_t count, const SHI_T *v)
 {
     if (polygon < s->known) return &s->shape[polygon];
-    SHI_FN(shi_measure)(count, v, NULL, &s->shape[16]);
+    SHI_FN(shi_measure)(count, v, count <= 10 ? s->last : NULL, &s->shape[16]);
     return &s->shape[16];
 }
 

@@ -91,7 +91,7 @@ INLINE void frame_lanes(const int bands, const int gradient, const polygon_input
                 omega += 2 * MANY(shi_polygon_angle)(MANY(shi_polygon_height)(x, in->vertices, n)
                                                      * first.inverse * a.inverse * b.inverse, even);
             }
-            MANY(shi_polygon_turn)(arc.half, &c, &s);
+            MANY(shi_cos_sin_near)(arc.half, &c, &s);
             frame_edge_lanes(bands, gradient, in->frame, arc.mid, arc.along, arc.mu, 2 * arc.half, c, s,
                              arc.k0, arc.k1, out);
             a = b;
