@@ -21,7 +21,7 @@
  *
  * DOES NOT    allocate, keep state, print. Arrays need no alignment. In and out may be the same array, or must not overlap
  *             (SH_ERROR_OVERLAP). NaN and Inf in coefficients go through; in geometry (and in sh_dering) they are an error.
- *             Stack, f64 (f32: half): triple product 50 KB, sh_minimum and sh_dering 140 KB, the others 27 KB at most.
+ *             Stack, f64 (f32: half): triple product 50 KB, sh_minimum and sh_dering 130 KB, the others 27 KB at most.
  *
  * ERROR       eps and M_l as in sh_gradient.h; c = the input vector, |.| its 2-norm, worst over the output: rotation and cosine
  *             products 16 eps |c| to 6 bands, 40 eps |c| to 16; triple product the same with |a| |b|. Worst seen is
@@ -2086,7 +2086,7 @@ SH_API int SHI_FN(sh_window)(int kind, int bands, SHI_T width, SHI_T *factors)
 }
 
 /* From u downhill to a local minimum, by Newton's method with halved steps; its value, and where in u. */
-SHI_INLINE SHI_T SHI_FN(shi_descend)(int bands, const SHI_T *c, SHI_T u[3])
+SHI_NOINLINE SHI_T SHI_FN(shi_descend)(int bands, const SHI_T *c, SHI_T u[3])
 {
     SHI_T y[10 * SH_MAX_BANDS * SH_MAX_BANDS];              /* the planes of SH_HESSIAN */
     const int n = bands * bands;
@@ -2131,7 +2131,7 @@ typedef struct {
 } SHI_FN(shi_spiral);
 
 /* Samples from number `first`, a multiple of SHI_CHUNK, on; returns the number after the last. */
-SHI_INLINE int SHI_FN(shi_spiral_chunk)(int bands, const SHI_T *c, int first, SHI_FN(shi_spiral) *s)
+SHI_NOINLINE int SHI_FN(shi_spiral_chunk)(int bands, const SHI_T *c, int first, SHI_FN(shi_spiral) *s)
 {
     const int at = first % SHI_KEPT, count = s->points - first < SHI_CHUNK ? s->points - first : SHI_CHUNK;
     int i;
@@ -2159,7 +2159,7 @@ SHI_INLINE int SHI_FN(shi_is_lowest)(const SHI_FN(shi_spiral) *s, int i)
 }
 
 /* The smallest value and where; or, if `negative` will do, the first one below zero that is found. */
-SHI_INLINE SHI_T SHI_FN(shi_lowest)(int bands, const SHI_T *c, int negative, SHI_T where[3])
+SHI_NOINLINE SHI_T SHI_FN(shi_lowest)(int bands, const SHI_T *c, int negative, SHI_T where[3])
 {
     SHI_FN(shi_spiral) s;
     SHI_T best, lowest = 0, highest = 0;
