@@ -1986,6 +1986,22 @@ SHI_KERNEL int SHI_KN(shi_sample_geometry)(const SHI_T *dirs, size_t count, size
     return d.good;
 }
 
+/* adds the sums of columns m0 .. m1-1, over their lanes, to moments[channels][kinds][levels^2] */
+SHI_KERNEL void SHI_KN(shi_moments_add)(int n, int kinds, int channels, int m0, int m1, int levels, const SHI_V *sums,
+                                        SHI_T *moments)
+{
+    int channel, m, j, k;
+    for (channel = 0; channel < channels; channel++)
+        for (m = m0; m < m1; m++)
+            for (j = m; j < levels; j++)
+                for (k = 0; k < kinds; k++, sums += 2) {
+                    SHI_T *const out = moments + (channel * kinds + k) * levels * levels + j * j + j;
+                    if (!(SHI_KINDS_AT(j - (n - 1)) >> k & 1u)) continue;           /* nobody reads it */
+                    out[m] += SHI_FN(shi_pole)[SHI_ROWS(j, m)] * SHI_SUM(sums[0]);
+                    if (m) out[-m] += SHI_FN(shi_pole)[SHI_ROWS(j, m)] * SHI_SUM(sums[1]);
+                }
+}
+
 /* moments[channels][kinds][levels^2] of all lights at a point (`point`, spheres), or of weighted directions (point
  * NULL, spheres = dirs). radiance[channels][count] or NULL. A block's geometry and weights serve every channel;
  * columns are taken as many at a time as their sums fit the stack. Returns SHI_IS_INSIDE and so on */
@@ -1995,19 +2011,21 @@ SHI_KERNEL int SHI_KN(shi_moments)(int n, int kinds, int channels, const SHI_T *
     const int levels = n - 1 + (kinds == 1 ? 1 : kinds == 3 ? 2 : 3), plane = levels * levels;
     const int fit = SHI_POOL / ((2 + kinds) * levels + 1);
     const int at_once = fit > SHI_LIGHTS_AT_ONCE ? SHI_LIGHTS_AT_ONCE : fit;
+    const size_t most = (size_t)(128 / at_once * at_once) * SHI_W;          /* that lanes add up, or their rounding would grow */
     SHI_V pool[SHI_POOL], sums[SHI_SUMS], qa[SHI_LIGHTS_AT_ONCE], qb[SHI_LIGHTS_AT_ONCE];
     SHI_KN(shi_light) lights[SHI_LIGHTS_AT_ONCE];
     SHI_M flags[3];
-    int bad = 0, m0, m1, m, j, k, i, channel;
+    int bad = 0, m0, m1, m, j, i, channel;
     memset(flags, 0, sizeof flags);
+    memset(moments, 0, (size_t)(channels * kinds * plane) * sizeof *moments);
     for (i = 0; i < at_once; i++) qa[i] = qb[i] = SHI_SPLAT(0);    /* or gcc sees them unset */
     for (m0 = 0; m0 < levels; m0 = m1) {
         int size = 0, at = 0;
-        size_t first;
+        size_t first, next;
         for (m1 = m0; m1 < levels && channels * (size + 2 * kinds * (levels - m1)) <= SHI_SUMS; m1++)
             size += 2 * kinds * (levels - m1);
         memset(sums, 0, (size_t)(channels * size) * sizeof sums[0]);
-        for (first = 0; first < count; first += (size_t)at_once * SHI_W) {
+        for (first = 0; first < count; first = next) {
             const size_t vectors = (count - first + SHI_W - 1) / SHI_W;
             const int nb = vectors < (size_t)at_once ? (int)vectors : at_once;
             SHI_V *const weights = pool + 2 * levels * nb, *const polar = weights + kinds * levels * nb;
@@ -2034,16 +2052,11 @@ SHI_KERNEL int SHI_KN(shi_moments)(int n, int kinds, int channels, const SHI_T *
                 for (m = m0; m < m1; at += 2 * kinds * (levels - m), m++)
                     SHI_KN(shi_light_column)(n, kinds, m, nb, pool, levels, qa, qb, sums + at);
             }
+            next = first + (size_t)at_once * SHI_W;
+            if (next < count && next % most) continue;
+            SHI_KN(shi_moments_add)(n, kinds, channels, m0, m1, levels, sums, moments);
+            memset(sums, 0, (size_t)(channels * size) * sizeof sums[0]);
         }
-        for (channel = 0, at = 0; channel < channels; channel++)
-            for (m = m0; m < m1; m++)
-                for (j = m; j < levels; j++)
-                    for (k = 0; k < kinds; k++, at += 2) {
-                        SHI_T *const out = moments + (channel * kinds + k) * plane + j * j + j;
-                        if (!(SHI_KINDS_AT(j - (n - 1)) >> k & 1u)) continue;       /* nobody reads it */
-                        out[m] = SHI_FN(shi_pole)[SHI_ROWS(j, m)] * SHI_SUM(sums[at]);
-                        if (m) out[-m] = SHI_FN(shi_pole)[SHI_ROWS(j, m)] * SHI_SUM(sums[at + 1]);
-                    }
     }
     return bad | (SHI_ANY(flags[0]) ? SHI_IS_INSIDE : 0) | (SHI_ANY(flags[1]) ? SHI_NOT_FINITE : 0)
          | (SHI_ANY(flags[2]) ? SHI_BAD_RADIUS : 0);
@@ -3368,7 +3381,7 @@ SH_API int SHI_FN(sh_reconstruct)(int bands, const SHI_T *coeffs, const SHI_T di
  *   dirs     [count][3], lengths as in sh_eval; a bad one is an error of the call
  *   weights  [count]
  *   coeffs   [N], overwritten; count 0 gives zeros
- * Error:  |coeffs - exact| <= (8 + l(l+1)/4 + min(count, 4096)/64) eps M_l sum |weights|. */
+ * Error:  |coeffs - exact| <= (8 + l(l+1)/4 + min(count, 160)/2) eps M_l sum |weights|. */
 SH_API int SHI_FN(sh_project_n)(int bands, size_t count, const SHI_T *dirs, const SHI_T *weights, SHI_T *coeffs)
 {
     const size_t size = (size_t)bands * (size_t)bands, item = sizeof *coeffs, most = 4096;
@@ -3546,7 +3559,8 @@ SH_API int SHI_FN(sh_sphere)(int bands, const SHI_T point[3], const SHI_T center
  *   out       [points][channels][planes][N]; for one channel and SH_GRADIENT: values, d/dx, d/dy, d/dz
  * Status SH_INSIDE when a point is on or inside a light, which then adds 2 sqrt(pi) to L_00 and nothing to derivatives.
  * A light that is not valid is an error before anything is written; a point that is not finite is an error of its own outputs.
- * Error:  the sum over the lights of sh_sphere_hessian's bounds, plus count/64 eps of the sum of magnitudes.
+ * Error:  the sum over the lights of sh_sphere_hessian's bounds, plus (min(count, 128)/2 + count/256) eps of the sum of
+ *         magnitudes.
  * Source: M22 Eq. 12 in moment form: d/dx_k of f(d) Y_l is a fixed sparse combination of (f' + (l+1)f/d) Y_{l-1} and
  *         (f' - l f/d) Y_{l+1}, so lights share three running sums, and six with Hessians; M22 5.1's reverse order. */
 SH_API int SHI_FN(sh_spheres_n)(int bands, int planes, int channels, size_t points, const SHI_T *point,

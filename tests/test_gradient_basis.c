@@ -397,7 +397,7 @@ static void F(project_many)(void **state)
     assert_int_equal(F(sh_light_field)(BANDS, MANY, dirs, weights, one, NULL, NULL, f, NULL), SH_OK);
     for (i = 0; i < BANDS * BANDS; i++) {
         const int l = ref_band(i);
-        row_check(wp, c[i], sum[i], (8 + l * (l + 1) / 4.0L + 64) * (long double)EPS * ref_M(l) * total, i);
+        row_check(wp, c[i], sum[i], (8 + l * (l + 1) / 4.0L + 80) * (long double)EPS * ref_M(l) * total, i);
         row_check(wf, f[i], sum[i], (8 + l * (l + 1) / 4.0L + (IS_F32 ? 0 : MANY / 2)) * (long double)EPS * ref_M(l) * total, i);
     }
     row_close(wp);

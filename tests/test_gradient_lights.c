@@ -55,7 +55,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         BOTH_TESTS(cap), BOTH_TESTS(zonal_rotate), BOTH_TESTS(zonal_light), BOTH_TESTS(sphere), BOTH_TESTS(close_sphere),
         BOTH_TESTS(sums), BOTH_TESTS(sums_are_sums), BOTH_TESTS(points_and_grids), BOTH_TESTS(turned_scene),
-        BOTH_TESTS(light_field), BOTH_TESTS(light_field_converges),
+        BOTH_TESTS(crowd), BOTH_TESTS(light_field), BOTH_TESTS(light_field_converges),
     };
     return RUN_TESTS(tests);
 }
@@ -442,6 +442,31 @@ static void F(turned_scene)(void **state)
     }
     row_close(w);
     row_close(wg);
+}
+
+/* One light 20000 times over: running sums would drift with their number. */
+static void F(crowd)(void **state)
+{
+    enum { COUNT = 20000, BANDS = 4, N = BANDS * BANDS };
+    row *w = row_open("sh_spheres, 20000 lights", PRECISION);
+    static T spheres[4 * COUNT];
+    static const T origin[3] = { 0, 0, 0 }, center[3] = { (T)1.1, (T)0.7, (T)-1.3 };
+    T one[N], slopes[3 * N], sum[4 * N];
+    int i, k;
+    (void)state;
+    for (i = 0; i < COUNT; i++) {
+        for (k = 0; k < 3; k++) spheres[k * COUNT + i] = center[k];
+        spheres[3 * COUNT + i] = (T)0.3;
+    }
+    assert_int_equal(F(sh_sphere)(BANDS, origin, center, (T)0.3, one, slopes), SH_OK);
+    assert_int_equal(F(sh_spheres)(BANDS, SH_GRADIENT, 1, origin, COUNT, spheres, NULL, sum), SH_OK);
+    for (i = 0; i < 4 * N; i++) {
+        const int l = ref_band(i % N);
+        const long double size = COUNT * one[0] / ref_M(0), x = i < N ? one[i] : slopes[i - N];
+        row_check(w, sum[i], COUNT * x,
+                  (2 * 32 + 64 + COUNT / 256) * (long double)EPS * size * (ref_M(l) + (i < N ? 0 : ref_G(l))), i);
+    }
+    row_close(w);
 }
 
 /* Each texel is a small piece of surface dA = dw r^2/|n.w| that stays where it is while the point moves: the jet of
