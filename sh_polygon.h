@@ -4979,6 +4979,19 @@ SHI_INLINE void shi_sink_add(shi_sink *sink, double *s_out, double *t_out)
     for (i = 0; i < sink->nt * (sink->nt + 1); i++) t_out[i] = SHI_MANY(shi_sum)(sink->t[i]);
 }
 
+/* Bit 1 or 2 for the side of a fan's triangle that the point is on, by the direction of the first one's normal. */
+SHI_INLINE int shi_fan_side(double det, const shi_two n[3], double first[3], size_t i)
+{
+    double along = 0;
+    int k;
+    for (k = 0; k < 3; k++) {
+        if (i == 1) first[k] = n[k].h;
+        along += n[k].h * first[k];
+    }
+    if (along < 0) det = -det;
+    return det < 0 ? 1 : det > 0 ? 2 : 0;
+}
+
 /* Whether the point is on both sides of the fan: between its triangles, near the plane of a polygon that rounding has bent.
  * The sum of triangles' directed areas tells their common side; slivers, whose own may point anywhere, do not count. */
 SHI_INLINE int shi_scene_between(const shi_scene *scene)
@@ -5013,14 +5026,13 @@ SHI_NOINLINE int shi_polygon_engine(int bands, int sides, int tight, const doubl
     const int size = bands * bands, planes = grad ? SH_GRADIENT : SH_VALUES;
     double totals[SHI_TOTALS(SH_MAX_POLYGON_BANDS)], out[4 * SH_MAX_POLYGON_BANDS * SH_MAX_POLYGON_BANDS];
     double s[(SH_MAX_POLYGON_BANDS + 1) * (SH_MAX_POLYGON_BANDS + 2)], t[(SH_MAX_POLYGON_BANDS + 1) * (SH_MAX_POLYGON_BANDS + 2)];
-    double spread = 0, signed_sum = 0, volume = 0, area[3] = { 0, 0, 0 }, sign, omega = 0, plane_turn = 0,
-           least = 4;
+    double spread = 0, signed_sum = 0, volume = 0, area[3] = { 0, 0, 0 }, normal[3], sign, omega = 0, plane_turn = 0, least = 4;
     shi_scene scene;
     shi_sink sink;
     shi_two first[3];
     shi_arc e;
     size_t i;
-    int k, l, status = SH_OK, flat = 1, empty = 1, on_edge = 0, edges;
+    int k, l, status = SH_OK, flat = 1, empty = 1, on_edge = 0, side = 0, edges;
 
     shi_scene_open(&scene, point, count, vertices, floats);
     memset(coeffs, 0, (size_t)size * sizeof coeffs[0]);
@@ -5053,6 +5065,7 @@ SHI_NOINLINE int shi_polygon_engine(int bands, int sides, int tight, const doubl
         spread += fabs(solid);
         signed_sum += solid;
         volume += det;
+        side |= shi_fan_side(det, n, normal, i);
     }
     if (empty) return SH_OK;
     for (i = 0; i < count; i++)
@@ -5085,7 +5098,7 @@ SHI_NOINLINE int shi_polygon_engine(int bands, int sides, int tight, const doubl
         edges = 1;
     } else {
         if (fan_size) *fan_size = spread;
-        if (shi_scene_between(&scene)) volume = signed_sum;
+        if (side == 3 && shi_scene_between(&scene)) volume = signed_sum;
         sign = volume < 0 ? -1 : 1;                         /* < 0: the point is in front */
         if (sides == SH_FRONT && sign > 0) return SH_OK;
         if (sides == SH_SIGNED) sign = -1;
@@ -5308,11 +5321,11 @@ SHI_NOINLINE int shi_within_engine(int bands, int sides, int tight, double toler
 {
     enum { SPHERE, POINT, POINT4, SEVEN, SEVEN4, EXACT };
     const int size = bands * bands;
-    double total[5] = { 0, 0, 0, 0, 0 }, volume = 0, sign;
+    double total[5] = { 0, 0, 0, 0, 0 }, normal[3], volume = 0, sign;
     shi_scene scene;
     shi_two first[3];
     size_t i;
-    int k, l, way;
+    int k, l, way, side = 0;
     memset(out, 0, (size_t)size * sizeof out[0]);
     if (grad) memset(grad, 0, 3 * (size_t)size * sizeof grad[0]);
     *error = 0;
@@ -5324,6 +5337,7 @@ SHI_NOINLINE int shi_within_engine(int bands, int sides, int tight, double toler
                                                    six[SH_MAX_POLYGON_BANDS], six4[SH_MAX_POLYGON_BANDS];
         det = shi_scene_fan(&scene, first, i, d1, d2, n);
         volume += det;
+        side |= shi_fan_side(det, n, normal, i);
         for (k = 0; k < 3; k++) {
             c[k] = (d1[k].h + d2[k].h) / 3;
             e[0][k] = -c[k];
@@ -5369,7 +5383,7 @@ SHI_NOINLINE int shi_within_engine(int bands, int sides, int tight, double toler
         for (k = 0; k < 5; k++) total[k] += sqrt(sums[k]);
     }
     for (way = SPHERE; way < EXACT && !(total[way] <= tolerance); way++) {}
-    if (volume == 0 || shi_scene_between(&scene)) way = EXACT;
+    if (volume == 0 || (side == 3 && shi_scene_between(&scene))) way = EXACT;
     if (used)
         *used = way == SPHERE ? SH_USED_SPHERE : way == EXACT ? SH_USED_EXACT
               : way == POINT4 || way == SEVEN4 ? SH_USED_SUBDIVISION : SH_USED_CUBATURE;
