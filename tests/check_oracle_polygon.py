@@ -184,11 +184,14 @@ class Light:
         v = [[mpf(vertices[3 * i + k]) - p[k] for k in range(3)] for i in range(len(vertices) // 3)]
         count = len(v)
         fan = [(v[0], v[i], v[i + 1]) for i in range(1, count - 1)]
-        dets = [dot(a, cross(minus(b, a), minus(c, a))) for a, b, c in fan]
+        normals = [cross(minus(b, a), minus(c, a)) for a, b, c in fan]
+        dets = [dot(f[0], n) for f, n in zip(fan, normals)]
+        area = [sum(n[k] for n in normals) for k in range(3)]
+        seen = {(d > 0) == (dot(n, area) > 0) for d, n in zip(dets, normals) if abs(dot(n, area)) > mpf("1e-6") * dot(area, area)}
         self.scale = scale = max(length(t) for t in v)
         self.flat = all(t == 0 for t in dets)
         self.near = min(length(t) for t in v)
-        # the side is that of most of the surface; no side to speak of if regions cancel
+        # the side is that of most of the surface, or of what is seen of a bent one; no side to speak of if regions cancel
         self.sided = abs(sum(dets)) > mpf("0.02") * sum(abs(t) for t in dets)
         if self.flat or self.near < mpf("1e-30") * scale:
             self.flat = True
@@ -217,7 +220,7 @@ class Light:
         self.solid = sum(abs(t) for t in omegas)
         self.slope = sum(solid_slope(f) for f in fan)
         self.whole = length([t[0] for t in self.g]) / M(0)
-        behind = sum(dets) > 0
+        behind = sum(omegas if len(seen) > 1 else dets) > 0
         sign = -1 if sides == "signed" else 0 if sides == "front" and behind else 1 if behind else -1
         self.c = [sign * t for t in self.c]
         self.g = [[sign * t for t in g] for g in self.g]
