@@ -2024,11 +2024,11 @@ SHI_KERNEL int SHI_KN(shi_moments)(int n, int kinds, int channels, const SHI_T *
         size_t first, next;
         for (m1 = m0; m1 < levels && channels * (size + 2 * kinds * (levels - m1)) <= SHI_SUMS; m1++)
             size += 2 * kinds * (levels - m1);
-        memset(sums, 0, (size_t)(channels * size) * sizeof sums[0]);
         for (first = 0; first < count; first = next) {
             const size_t vectors = (count - first + SHI_W - 1) / SHI_W;
             const int nb = vectors < (size_t)at_once ? (int)vectors : at_once;
             SHI_V *const weights = pool + 2 * levels * nb, *const polar = weights + kinds * levels * nb;
+            if (first % most == 0) memset(sums, 0, (size_t)(channels * size) * sizeof sums[0]);
             for (i = 0; i < nb; i++) {
                 const size_t one = first + (size_t)i * SHI_W;
                 if (point) {
@@ -2053,9 +2053,8 @@ SHI_KERNEL int SHI_KN(shi_moments)(int n, int kinds, int channels, const SHI_T *
                     SHI_KN(shi_light_column)(n, kinds, m, nb, pool, levels, qa, qb, sums + at);
             }
             next = first + (size_t)at_once * SHI_W;
-            if (next < count && next % most) continue;
-            SHI_KN(shi_moments_add)(n, kinds, channels, m0, m1, levels, sums, moments);
-            memset(sums, 0, (size_t)(channels * size) * sizeof sums[0]);
+            if (next >= count || next % most == 0)
+                SHI_KN(shi_moments_add)(n, kinds, channels, m0, m1, levels, sums, moments);
         }
     }
     return bad | (SHI_ANY(flags[0]) ? SHI_IS_INSIDE : 0) | (SHI_ANY(flags[1]) ? SHI_NOT_FINITE : 0)
