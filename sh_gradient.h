@@ -175,7 +175,11 @@ enum {
 #define SHI_SUMS 992                                    /* ... running sums ... */
 #define SHI_LIGHTS_AT_ONCE 11                           /* ... and most vectors in a block: at 16 rows would evict each other */
 #define SHI_POLYNOMIAL_BANDS 10                         /* bands whose columns shi_horner has as polynomials */
-#define SHI_ABREAST 4                                   /* beyond, columns that run at once; the ring holds twice as many */
+#if defined(__AVX512VL__) || defined(__aarch64__)       /* beyond, columns that run at once: what 32 or 16 registers hold; */
+#  define SHI_ABREAST 6                                 /* the ring holds twice as many */
+#else
+#  define SHI_ABREAST 4
+#endif
 #define SHI_TOGETHER(with_grad) ((with_grad) ? 1 : 2)   /* ... and columns summed at once: what 16 registers hold */
 #define SHI_PROFILE 9                                   /* numbers per band in shi_profile */
 #define SHI_ROWS(l, m) ((l) * ((l) + 1) / 2 + (m))      /* index into tables by band and m */
@@ -837,6 +841,25 @@ SHI_KERNEL void SHI_KN(shi_power)(int m, const SHI_V u[4], SHI_V *c, SHI_V *s)
         c[m] = c[m - h];
         s[m] = s[m - h];
         SHI_KN(shi_turn)(c[h], s[h], &c[m], &s[m]);
+    }
+}
+
+/* the same for all m < n in loops, which have no use for the above */
+SHI_KERNEL void SHI_KN(shi_powers_below)(int n, const SHI_V u[4], SHI_V *c, SHI_V *s)
+{
+    SHI_V ch = -u[0], sh = -u[1];
+    int h, m;
+    for (m = 0; m < 2; m++) SHI_KN(shi_power)(m, u, c, s);
+    for (h = 2; h < n; h *= 2) {
+        SHI_KN(shi_square)(ch, sh, &ch, &sh);
+        c[h] = ch;
+        s[h] = sh;
+        for (m = 1; m < h && h + m < n; m++) {
+            SHI_V x = c[m], y = s[m];
+            SHI_KN(shi_turn)(ch, sh, &x, &y);
+            c[h + m] = x;
+            s[h + m] = y;
+        }
     }
 }
 
@@ -2123,12 +2146,14 @@ SHI_KERNEL void SHI_BN(shi_column)(int m, int n, const SHI_V a[2], SHI_V (*colum
     }
 }
 #else
-/* The recurrence is a chain: SHI_ABREAST columns from m on run at once, each from its own m on */
+/* The recurrence is a chain: SHI_ABREAST columns from m on run at once, each from its own m on. From row to row move: l,
+ * its place in the tables, and in values' output those of l, m and l, -m */
 typedef struct {
     SHI_V t, p[SHI_ABREAST], fall[SHI_ABREAST];
-    SHI_M flip[2];                                  /* sign bits of z^(l-m), even and odd columns */
+    SHI_M flip[2];                                  /* sign bits of z^(l-m), even and odd */
+    ptrdiff_t l, row, up, down;
 } SHI_KN(shi_run);
-SHI_KERNEL void SHI_KN(shi_run_start)(const SHI_V a[2], SHI_KN(shi_run) *o)
+SHI_KERNEL void SHI_KN(shi_run_start)(int m, const SHI_V a[2], int stride, SHI_KN(shi_run) *o)
 {
     int j;
     o->t = a[1];
@@ -2139,56 +2164,53 @@ SHI_KERNEL void SHI_KN(shi_run_start)(const SHI_V a[2], SHI_KN(shi_run) *o)
         o->p[j] = SHI_SPLAT(1);
         o->fall[j] = SHI_SPLAT(0);
     }
+    o->l = m;
+    o->row = SHI_ROWS(m, m);
+    o->up = (m * m + 2 * m) * stride;
+    o->down = m * m * stride;
 }
-/* q[j] = q_l^{m+j}; `running` columns have begun below l */
-SHI_KERNEL void SHI_KN(shi_run_row)(int l, int m, int running, SHI_KN(shi_run) *o, SHI_V q[SHI_ABREAST])
+/* One row: q_l^{m+j} of the first `started` columns, the last of which begins here unless all run, to column[j][l], or for
+ * values times U and V to y. `odd` is that of l - m */
+SHI_KERNEL void SHI_KN(shi_run_row)(int odd, int started, int begins, int values, SHI_KN(shi_run) *o,
+                                    SHI_V (*column)[SHI_COLUMN], const SHI_V *c, const SHI_V *s, SHI_T *y, int stride)
 {
-    const SHI_T *const ratio = SHI_FN(shi_ratio) + SHI_ROWS(l, m), *const pole = SHI_FN(shi_pole) + SHI_ROWS(l, m);
-    const SHI_M even = o->flip[0];
+    const SHI_T *const ratio = SHI_FN(shi_ratio) + o->row, *const pole = SHI_FN(shi_pole) + o->row;
+    SHI_V q[SHI_ABREAST];
     int j;
     SHI_UNROLL
-    for (j = 0; j < SHI_ABREAST && j <= running; j++) {
-        if (j < running) {
+    for (j = 0; j < started; j++) {
+        if (j < started - begins) {
             o->fall[j] = SHI_KN(shi_fall)(SHI_KEEP(SHI_SPLAT(ratio[j])), o->t, o->p[j], o->fall[j]);
             o->p[j] = o->p[j] - o->fall[j];
         }
-        q[j] = SHI_KN(shi_flip)(pole[j] * o->p[j], o->flip[j & 1]);
+        q[j] = SHI_KN(shi_flip)(pole[j] * o->p[j], o->flip[(odd + j) & 1]);
     }
-    o->flip[0] = o->flip[1];
-    o->flip[1] = even;
-}
-/* row l of the `started` columns to column[j][l], or for values times U and V to y */
-SHI_KERNEL void SHI_KN(shi_run_put)(int l, int m, int started, int values, const SHI_V *q, SHI_V (*column)[SHI_COLUMN],
-                                    const SHI_V *c, const SHI_V *s, SHI_T *y, int stride)
-{
-    SHI_T *const up = values ? y + (l * l + l + m) * stride : y, *const down = values ? y + (l * l + l - m) * stride : y;
-    int j;
     SHI_UNROLL
-    for (j = 0; j < SHI_ABREAST; j++) {
-        if (j < started && !values) column[j][l] = q[j];
-        if (j < started && values) {
-            SHI_STORE(down - j * stride, q[j] * s[j]);          /* order 0 puts its sine where its cosine comes */
-            SHI_STORE(up + j * stride, q[j] * c[j]);
+    for (j = 0; j < started; j++) {
+        if (!values) {
+            column[j][o->l] = q[j];
+        } else {
+            SHI_STORE(y + (o->down - j * stride), q[j] * s[j]);     /* order 0 puts its sine where its cosine comes */
+            SHI_STORE(y + (o->up + j * stride), q[j] * c[j]);
         }
     }
+    o->l++;
+    o->row += o->l;
+    o->up += 2 * o->l * stride;
+    o->down += 2 * o->l * stride;
 }
 SHI_KERNEL void SHI_KN(shi_run_columns)(int m, int n, int values, const SHI_V a[2], SHI_V (*column)[SHI_COLUMN],
                                         const SHI_V *c, const SHI_V *s, SHI_T *y, int stride)
 {
     SHI_KN(shi_run) o;
-    SHI_V q[SHI_ABREAST];
-    int l, k;
-    SHI_KN(shi_run_start)(a, &o);
+    int k;
+    SHI_KN(shi_run_start)(m, a, stride, &o);
     SHI_UNROLL
-    for (k = 0; k < SHI_ABREAST; k++) {
-        if (m + k < n) {
-            SHI_KN(shi_run_row)(m + k, m, k, &o, q);
-            SHI_KN(shi_run_put)(m + k, m, k + 1, values, q, column, c, s, y, stride);
-        }
-    }
-    for (l = m + SHI_ABREAST; l < n; l++) {
-        SHI_KN(shi_run_row)(l, m, SHI_ABREAST, &o, q);
-        SHI_KN(shi_run_put)(l, m, SHI_ABREAST, values, q, column, c, s, y, stride);
+    for (k = 0; k < SHI_ABREAST; k++)
+        if (m + k < n) SHI_KN(shi_run_row)(k & 1, k + 1, 1, values, &o, column, c, s, y, stride);
+    for (k = n - m - SHI_ABREAST; k > 0; k -= 2) {
+        SHI_KN(shi_run_row)(0, SHI_ABREAST, 0, values, &o, column, c, s, y, stride);
+        if (k > 1) SHI_KN(shi_run_row)(1, SHI_ABREAST, 0, values, &o, column, c, s, y, stride);
     }
 }
 /* functions of their own, or gcc keeps the columns in memory as they run */
@@ -2207,6 +2229,17 @@ SHI_KERNEL void SHI_BN(shi_column)(int m, int n, const SHI_V a[2], SHI_V (*colum
 }
 #endif
 
+/* c[m], s[m] = U_m, V_m; called for m = 0, 1, ... */
+SHI_KERNEL void SHI_BN(shi_order)(int m, int n, const SHI_V u[4], SHI_V *c, SHI_V *s)
+{
+#if SHI_FIXED
+    (void)n;
+    SHI_KN(shi_power)(m, u, c, s);
+#else
+    if (m == 0) SHI_KN(shi_powers_below)(n, u, c, s);
+#endif
+}
+
 /* y[N], `stride` elements from one coefficient to the next */
 SHI_KERNEL void SHI_BN(shi_values)(int n, int single, const SHI_V u[4], SHI_T *y, int stride)
 {
@@ -2220,7 +2253,7 @@ SHI_KERNEL void SHI_BN(shi_values)(int n, int single, const SHI_V u[4], SHI_T *y
     SHI_LOOP
     for (m = 1; m < n; m++) {
         const SHI_V *const q = column[m % SHI_RING];
-        SHI_KN(shi_power)(m, u, c, s);
+        SHI_BN(shi_order)(m, n, u, c, s);
         SHI_BN(shi_column)(m, n, a, column);
         SHI_LOOP
         for (l = m; l < n; l++) {
@@ -2231,13 +2264,11 @@ SHI_KERNEL void SHI_BN(shi_values)(int n, int single, const SHI_V u[4], SHI_T *y
     }
 #else
     SHI_V a[2], c[SH_MAX_BANDS + SHI_ABREAST], s[SH_MAX_BANDS + SHI_ABREAST];
-    int m, j;
+    int m;
     (void)single;                               /* one direction goes by its orders */
     SHI_BN(shi_polar)(u, a);
-    for (m = 0; m < n; m += SHI_ABREAST) {
-        for (j = m; j < m + SHI_ABREAST; j++) SHI_KN(shi_power)(j, u, c, s);
-        SHI_KN(shi_columns_values)(m, n, a, c + m, s + m, y, stride);
-    }
+    SHI_BN(shi_order)(0, n, u, c, s);
+    for (m = 0; m < n; m += SHI_ABREAST) SHI_KN(shi_columns_values)(m, n, a, c + m, s + m, y, stride);
 #endif
 }
 
@@ -2259,7 +2290,7 @@ SHI_KERNEL void SHI_BN(shi_gradient)(int n, int single, const SHI_V u[4], SHI_V 
         const SHI_V mi = SHI_C(-m) * i, mc = mi * (m ? c[m - 1] : zero), ms = mi * (m ? s[m - 1] : zero);
         SHI_V ic, is, xc, xs, vc, vs;
         SHI_BN(shi_column)(m + 1, n, a, column);
-        SHI_KN(shi_power)(m, u, c, s);
+        SHI_BN(shi_order)(m, n, u, c, s);
         ic = i * c[m];
         is = i * s[m];
         xc = xi * c[m];
@@ -2383,7 +2414,7 @@ SHI_KERNEL void SHI_KN(shi_hessian)(int n, const SHI_V u[4], SHI_V i, SHI_T *y, 
     for (m = 0; m < n; m++) {
         const SHI_V *q[3];
         SHI_BN(shi_column)(m + 2, n, a, column);
-        SHI_KN(shi_power)(m, u, c + 2, s + 2);
+        SHI_BN(shi_order)(m, n, u, c + 2, s + 2);
         for (k = 0; k < 3; k++) q[k] = column[(m + k) % SHI_RING];
         if (!apart) {
             SHI_KN(shi_second_column)(3, n, m, u, i, q, c + 2 + m, s + 2 + m, y, y_stride, g, g_stride, h, stride);
@@ -2603,7 +2634,7 @@ SHI_KERNEL int SHI_BN(shi_angles)(int n, const SHI_V f[4], SHI_T *y, SHI_T *dt, 
         const SHI_V mt = SHI_C(m) * ct;
         SHI_V less_c = zero, less_s = zero;
         SHI_BN(shi_column)(m + 1, n, a, column);
-        SHI_KN(shi_power)(m, u, c, s);
+        SHI_BN(shi_order)(m, n, u, c, s);
         if (m) {
             less_c = SHI_FNMA(cp, c[m - 1], sp * s[m - 1]);
             less_s = SHI_FNMA(cp, s[m - 1], -(sp * c[m - 1]));
