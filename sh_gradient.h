@@ -27,7 +27,8 @@
  *
  * STATUS
  *     0 SH_OK; < 0 an error, outputs untouched; > 0 a defined degenerate case. Where each item has outputs of its own
- *     (_n, _blocks), a bad direction leaves its own untouched, the others are written, and the call returns the error.
+ *     (_n, _blocks), a bad direction leaves its own untouched, the others are written, and the call returns the error of the
+ *     last bad one. Checked in this order: bands, options, counts, NULL, overlap, data; a count of 0 needs no pointers.
  *     Nothing prints, allocates or keeps state; errno means nothing (libm may set it).
  *
  * CONFIG (define before the first include)
@@ -81,16 +82,19 @@ enum {
     SH_ERROR_OVERLAP = -4,          /* input and output overlap                                                 */
     SH_ERROR_DIRECTION = -5,        /* zero direction, or a length out of range                                 */
     SH_ERROR_NOT_FINITE = -6,       /* NaN or infinity in geometry                                              */
-    SH_ERROR_RADIUS = -7,           /* negative radius, or a depth or angle out of range                        */
+    SH_ERROR_RADIUS = -7,           /* a radius, depth or angle out of range                                    */
     SH_ERROR_VERTICES = -8,         /* fewer than three vertices                                                */
     SH_ERROR_MATRIX = -9,           /* not a rotation                                                           */
-    SH_ERROR_OPTION = -10,          /* unknown option or number of planes                                       */
+    SH_ERROR_OPTION = -10,          /* an unknown option or number of planes, or a parameter out of range       */
     SH_ERROR_GRID = -11             /* an axis without nodes, or a cell size that is not positive               */
 };
 
 /* ---- configuration ---- */
 
-#if defined(__GNUC__) && !defined(__TINYC__)
+#if (defined(__GNUC__) || defined(__clang__)) && !defined(__TINYC__)      /* clang-cl is not __GNUC__ */
+#  define SHI_GNU
+#endif
+#if defined(SHI_GNU)
 #  define SHI_INLINE   static __inline__ __attribute__((__unused__))
 #  define SHI_KERNEL   static __inline__ __attribute__((__always_inline__, __unused__))
 #  if defined(__OPTIMIZE__)
@@ -112,7 +116,7 @@ enum {
 #endif
 
 #ifndef SH_VECTOR_BYTES
-#  if !defined(__GNUC__) || defined(__TINYC__)
+#  if !defined(SHI_GNU)
 #    define SH_VECTOR_BYTES 0
 #  elif defined(__AVX__)
 #    define SH_VECTOR_BYTES 32
@@ -155,7 +159,7 @@ enum {
 #else
 #  define SHI_UNROLL
 #endif
-#if defined(__GNUC__)
+#if defined(SHI_GNU)
 #  define SHI_RARELY(condition) __builtin_expect((condition), 0)
 #else
 #  define SHI_RARELY(condition) (condition)
@@ -188,6 +192,8 @@ enum {
 #define SHI_HORNER(l, m, k) (SHI_FN(shi_horner)[(k) * SHI_LINE + (l) * ((l) + 1) + (m)])
 /* index into what shi_horner_form fills */
 #define SHI_FORM_AT(parity, k, sign, m) ((((parity) * (SHI_POLYNOMIAL_BANDS / 2) + (k)) * 2 + (sign)) * 16 + (m))
+
+#define SHI_MOST(numbers) ((size_t)-1 / 16 / (size_t)(numbers))        /* items of so many numbers: half the addresses */
 
 #define SHI_PI           3.14159265358979323846
 #define SHI_TAU          6.28318530717958647693
@@ -257,10 +263,10 @@ SH_API const char *sh_status_string(int status)
     case SH_ERROR_OVERLAP:    return "input and output overlap";
     case SH_ERROR_DIRECTION:  return "direction is zero or its length out of range";
     case SH_ERROR_NOT_FINITE: return "NaN or infinite input";
-    case SH_ERROR_RADIUS:     return "radius or angle out of range";
+    case SH_ERROR_RADIUS:     return "radius or depth or angle out of range";
     case SH_ERROR_VERTICES:   return "polygon has fewer than three vertices";
     case SH_ERROR_MATRIX:     return "matrix is not a rotation";
-    case SH_ERROR_OPTION:     return "unknown option";
+    case SH_ERROR_OPTION:     return "unknown option or parameter out of range";
     case SH_ERROR_GRID:       return "grid axis without nodes or cell size not positive";
     default:                  return "unknown status";
     }
@@ -276,11 +282,11 @@ SHI_INLINE size_t shi_block_items(size_t blocks)
     return blocks > (size_t)-1 / SH_BLOCK ? (size_t)-1 : blocks * SH_BLOCK;
 }
 
-/* 1 if the byte ranges share a byte; a NULL range shares none */
+/* 1 if the byte ranges share a byte; a NULL or empty range shares none */
 SHI_INLINE int shi_overlap(const void *a, size_t a_bytes, const void *b, size_t b_bytes)
 {
     const char *p = (const char *)a, *q = (const char *)b;
-    return p && q && p < q + b_bytes && q < p + a_bytes;
+    return p && q && a_bytes && b_bytes && p < q + b_bytes && q < p + a_bytes;
 }
 
 /* band and order of coefficient i, of the first 10 bands; constants where loops are unrolled */
@@ -2781,11 +2787,11 @@ SHI_KERNEL void SHI_KN(shi_line_terms)(int n, int k, const SHI_V *q, SHI_V *d, S
     *order = SHI_LOAD(m);
     *qm = SHI_KN(shi_blend)(zonal, SHI_SPLAT(0), q[k]);
 }
-/* for every register, in two loops: clang 14 unrolls none as long as both */
+/* for every register, in two loops: clang 14 unrolls none as long as both, and g++ none with a ?: in its condition */
 #define SHI_LINE_EACH(n, k, put) do { \
-        const int all = (n * n + SHI_W - 2) / SHI_W, half = SHI_LINE_REGISTERS / 2; \
+        const int all = (n * n + SHI_W - 2) / SHI_W, half = SHI_LINE_REGISTERS / 2, first = all < half ? all : half; \
         SHI_UNROLL \
-        for (k = 0; k < (all < half ? all : half); k++) put; \
+        for (k = 0; k < first; k++) put; \
         SHI_UNROLL \
         for (k = half; k < all; k++) put; \
     } while (0)
@@ -2901,8 +2907,6 @@ SHI_KERNEL int SHI_BN(shi_one)(int n, int planes, const SHI_T d[3], SHI_T *y, in
 
 /* ---- what the public functions share ---- */
 
-#define SHI_MOST_ITEMS ((size_t)-1 / (16 * sizeof(double) * SH_MAX_BANDS * SH_MAX_BANDS))
-
 /* structural checks of a basis call: `needed` is its required output, or any pointer */
 SHI_INLINE int SHI_FN(shi_check_basis)(int bands, size_t count, const SHI_T *v, const SHI_T *needed,
                                        const SHI_T *y, const SHI_T *g, const SHI_T *h)
@@ -2910,8 +2914,8 @@ SHI_INLINE int SHI_FN(shi_check_basis)(int bands, size_t count, const SHI_T *v, 
     const size_t item = sizeof *v, in = 3 * count * item, size = (size_t)bands * (size_t)bands * count * item;
     if (bands < 1 || bands > SH_MAX_BANDS) return SH_ERROR_BANDS;
     if (count == 0) return SH_OK;
+    if (count > SHI_MOST(6 * bands * bands)) return SH_ERROR_COUNT;
     if (!v || !needed) return SH_ERROR_NULL;
-    if (count > SHI_MOST_ITEMS) return SH_ERROR_COUNT;
     if (shi_overlap(v, in, y, size) || shi_overlap(v, in, g, 3 * size) || shi_overlap(v, in, h, 6 * size)
         || shi_overlap(y, size, g, 3 * size) || shi_overlap(y, size, h, 6 * size) || shi_overlap(g, 3 * size, h, 6 * size))
         return SH_ERROR_OVERLAP;
@@ -3076,7 +3080,7 @@ SHI_INLINE int SHI_FN(shi_check_grid)(const SHI_FN(sh_grid) *g, size_t first, si
     for (k = 0; k < 3; k++) {
         if (!SHI_FN(shi_finite)(&g->origin[k], 1) || !SHI_FN(shi_finite)(&g->cell[k], 1)) return SH_ERROR_NOT_FINITE;
         if (g->count[k] < 1 || !(g->cell[k] > 0 || g->count[k] == 1)) return SH_ERROR_GRID;
-        if (all > SHI_MOST_ITEMS / (size_t)g->count[k]) return SH_ERROR_COUNT;
+        if (all > (size_t)-1 / (size_t)g->count[k]) return SH_ERROR_COUNT;
         all *= (size_t)g->count[k];
     }
     return first > all || nodes > all - first ? SH_ERROR_COUNT : SH_OK;
@@ -3123,8 +3127,13 @@ SHI_INLINE int SHI_FN(shi_check_lights)(const SHI_FN(shi_lights) *o, const SHI_T
     if (o->planes != SH_VALUES && o->planes != SH_GRADIENT && o->planes != SH_HESSIAN) return SH_ERROR_OPTION;
     if (o->channels < 1) return SH_ERROR_COUNT;
     if (points == 0) return SH_OK;
+    if (points > SHI_MOST(o->planes * o->bands * o->bands + 3) / channels || o->count > SHI_MOST(4) / channels)
+        return SH_ERROR_COUNT;
     if (!(o->places.at || o->places.grid) || (o->count && !o->spheres) || !out) return SH_ERROR_NULL;
-    if (points > SHI_MOST_ITEMS / channels || o->count > SHI_MOST_ITEMS / channels) return SH_ERROR_COUNT;
+    if (o->places.grid) {
+        const int status = SHI_FN(shi_check_grid)(o->places.grid, o->places.first, points);
+        if (status) return status;
+    }
     if (SHI_FN(shi_places_overlap)(&o->places, out, bytes) || shi_overlap(o->spheres, 4 * o->count * item, out, bytes)
         || shi_overlap(o->radiance, channels * o->count * item, out, bytes)) return SH_ERROR_OVERLAP;
     return SH_OK;
@@ -3223,8 +3232,12 @@ SHI_INLINE int SHI_FN(shi_spheres_with)(const SHI_FN(shi_lights) *o, int most, S
             const int channels = o->channels - c < most ? o->channels - c : most;
             const int flags = SHI_FN(shi_spheres_at)(o, c, channels, x, work,
                                                      out + (p * (size_t)o->channels + (size_t)c) * block);
-            if (flags & SHI_NOT_FINITE) return SH_ERROR_NOT_FINITE;
+            if ((flags & SHI_NOT_FINITE) && !SHI_FN(shi_finite)(o->spheres, 4 * o->count)) return SH_ERROR_NOT_FINITE;
             if (flags & SHI_BAD_RADIUS) return SH_ERROR_RADIUS;
+            if (flags & SHI_NOT_FINITE) {                       /* too far from a light: this point alone */
+                status = SH_ERROR_DIRECTION;
+                break;
+            }
             if (flags && status == SH_OK) status = SH_INSIDE;
         }
     }
@@ -3361,8 +3374,8 @@ SH_API int SHI_FN(sh_eval_angles_n)(int bands, size_t count, const SHI_T *theta,
     const size_t size = (size_t)bands * (size_t)bands, in = count * sizeof *theta, out = count * size * sizeof *theta;
     if (bands < 1 || bands > SH_MAX_BANDS) return SH_ERROR_BANDS;
     if (count == 0) return SH_OK;
+    if (count > SHI_MOST(bands * bands)) return SH_ERROR_COUNT;
     if (!theta || !phi) return SH_ERROR_NULL;
-    if (count > SHI_MOST_ITEMS) return SH_ERROR_COUNT;
     if (shi_overlap(theta, in, y, out) || shi_overlap(theta, in, dtheta, out) || shi_overlap(theta, in, dphi, out)
         || shi_overlap(phi, in, y, out) || shi_overlap(phi, in, dtheta, out) || shi_overlap(phi, in, dphi, out)
         || shi_overlap(y, out, dtheta, out) || shi_overlap(y, out, dphi, out) || shi_overlap(dtheta, out, dphi, out))
@@ -3388,8 +3401,8 @@ SH_API int SHI_FN(sh_reconstruct_n)(int bands, const SHI_T *coeffs, size_t count
     const size_t item = sizeof *coeffs, size = (size_t)bands * (size_t)bands;
     if (bands < 1 || bands > SH_MAX_BANDS) return SH_ERROR_BANDS;
     if (count == 0) return SH_OK;
+    if (count > SHI_MOST(3)) return SH_ERROR_COUNT;
     if (!coeffs || !dirs) return SH_ERROR_NULL;
-    if (count > SHI_MOST_ITEMS) return SH_ERROR_COUNT;
     if (shi_overlap(dirs, 3 * count * item, values, count * item)
         || shi_overlap(dirs, 3 * count * item, grads, 3 * count * item)
         || shi_overlap(coeffs, size * item, values, count * item) || shi_overlap(coeffs, size * item, grads, 3 * count * item)
@@ -3418,9 +3431,9 @@ SH_API int SHI_FN(sh_project_n)(int bands, size_t count, const SHI_T *dirs, cons
     double total[SH_MAX_BANDS * SH_MAX_BANDS], lost[SH_MAX_BANDS * SH_MAX_BANDS];       /* of the sums of so many */
     SHI_T sum[SH_MAX_BANDS * SH_MAX_BANDS];
     size_t p, i;
-    if (!coeffs || (count && (!dirs || !weights))) return SH_ERROR_NULL;
     if (bands < 1 || bands > SH_MAX_BANDS) return SH_ERROR_BANDS;
-    if (count > SHI_MOST_ITEMS) return SH_ERROR_COUNT;
+    if (count > SHI_MOST(3)) return SH_ERROR_COUNT;
+    if (!coeffs || (count && (!dirs || !weights))) return SH_ERROR_NULL;
     if (shi_overlap(dirs, 3 * count * item, coeffs, size * item) || shi_overlap(weights, count * item, coeffs, size * item))
         return SH_ERROR_OVERLAP;
     for (i = 0; i < size; i++) total[i] = lost[i] = 0;
@@ -3440,7 +3453,7 @@ SH_API int SHI_FN(sh_project_n)(int bands, size_t count, const SHI_T *dirs, cons
 /* Coefficients of a light field seen from one point, and their gradient by that point, from samples with depth and normal
  * (the texels of a cube map rendered there).
  *   bands         1..32
- *   dirs          [count][3], unit; a bad one is an error of the call
+ *   dirs          [count][3], lengths as in sh_eval; a bad one is an error of the call
  *   solid_angles  [count], steradians
  *   radiance      [count]; NaN goes through
  *   depth         [count], distance along the direction, > 0 (else SH_ERROR_RADIUS); infinity means no parallax
@@ -3455,9 +3468,9 @@ SH_API int SHI_FN(sh_light_field)(int bands, size_t count, const SHI_T *dirs, co
                                   const SHI_T *radiance,
                                   const SHI_T *depth, const SHI_T *normals, SHI_T *coeffs, SHI_T *grad)
 {
-    if (!coeffs || (count && (!dirs || !solid_angles || !radiance || (grad && (!depth || !normals))))) return SH_ERROR_NULL;
     if (bands < 1 || bands > SH_MAX_BANDS) return SH_ERROR_BANDS;
-    if (count > SHI_MOST_ITEMS) return SH_ERROR_COUNT;
+    if (count > SHI_MOST(3)) return SH_ERROR_COUNT;
+    if (!coeffs || (count && (!dirs || !solid_angles || !radiance || (grad && (!depth || !normals))))) return SH_ERROR_NULL;
     {
         const void *in[5];
         const size_t item = sizeof *coeffs, size = (size_t)(bands * bands) * item;
@@ -3588,7 +3601,8 @@ SH_API int SHI_FN(sh_sphere)(int bands, const SHI_T point[3], const SHI_T center
  *   radiance  [channels][count] of either sign, or NULL: 1
  *   out       [points][channels][planes][N]; for one channel and SH_GRADIENT: values, d/dx, d/dy, d/dz
  * Status SH_INSIDE when a point is on or inside a light, which then adds 2 sqrt(pi) to L_00 and nothing to derivatives.
- * A light that is not valid is an error before anything is written; a point that is not finite is an error of its own outputs.
+ * A light that is not valid is an error before anything is written; a point that is not finite, or further from a light than
+ * sh_sphere allows (SH_ERROR_DIRECTION), is an error of its own outputs.
  * Error:  the sum over the lights of sh_sphere_hessian's bounds, plus (min(count, 128)/2 + count/256) eps of the sum of
  *         magnitudes.
  * Source: M22 Eq. 12 in moment form: d/dx_k of f(d) Y_l is a fixed sparse combination of (f' + (l+1)f/d) Y_{l-1} and
@@ -3613,8 +3627,7 @@ SH_API int SHI_FN(sh_spheres_grid)(int bands, int planes, int channels, const SH
                                    size_t nodes, size_t count, const SHI_T *spheres, const SHI_T *radiance, SHI_T *out)
 {
     const SHI_FN(shi_lights) o = { bands, planes, channels, { nodes, first, NULL, grid }, count, spheres, radiance };
-    const int status = grid ? SHI_FN(shi_check_grid)(grid, first, nodes) : SH_ERROR_NULL;
-    return status ? status : SHI_FN(shi_spheres)(&o, out);
+    return SHI_FN(shi_spheres)(&o, out);
 }
 
 /* ================================================================================================================

@@ -410,12 +410,12 @@ SHI_INLINE int SHI_FN(shi_grid_stencil)(const SHI_FN(shi_query) *c, shi_stencil 
     double bytes;
     int a;
 
-    if (!g || !c->nodes) return SH_ERROR_NULL;
     if (c->bands < 1 || c->bands > SH_MAX_BANDS) return SH_ERROR_BANDS;
     if (c->channels < 1) return SH_ERROR_COUNT;
     if (c->planes != SH_VALUES && c->planes != SH_GRADIENT && c->planes != SH_HESSIAN) return SH_ERROR_OPTION;
     if (!reads || reads > c->planes) return SH_ERROR_OPTION;
     if (c->outside != SH_CLAMP && c->outside != SH_EXTRAPOLATE) return SH_ERROR_OPTION;
+    if (!g || (c->count && !c->nodes)) return SH_ERROR_NULL;
     if (!SHI_FN(shi_finite)(g->origin, 3) || !SHI_FN(shi_finite)(g->cell, 3)) return SH_ERROR_NOT_FINITE;
     s->scheme = c->scheme;
     s->neighbours = 0;
@@ -559,8 +559,8 @@ SHI_NOINLINE int SHI_FN(shi_grid_call)(const SHI_FN(shi_query) *c)
     const int status = SHI_FN(shi_grid_stencil)(c, &s);
 
     if (status != SH_OK || c->count == 0) return status;
+    if (c->count > SHI_MOST(SH_HESSIAN * s.n) / channels) return SH_ERROR_COUNT;
     if (!c->points || !c->out) return SH_ERROR_NULL;
-    if (c->count > SHI_MOST_ITEMS / channels) return SH_ERROR_COUNT;
     out = c->count * channels * (c->transfers ? 1 : (size_t)c->planes_out * s.n) * sizeof(SHI_T);
     if (shi_overlap(c->out, out, c->nodes, s.step[2] * (size_t)c->grid->count[2] * sizeof(SHI_T))
         || shi_overlap(c->out, out, c->points, 3 * c->count * sizeof(SHI_T))
@@ -703,11 +703,11 @@ SHI_NOINLINE int SHI_FN(shi_samples)(int bands, int planes, int channels, SHI_T 
     SHI_T nearest = 0, total = 0, d[3], w[SHI_TERMS * SH_BLOCK], part[SH_MAX_BANDS * SH_MAX_BANDS];
     ptrdiff_t offset[SHI_TERMS];
 
-    if (!samples || !blocks || !point || !coeffs) return SH_ERROR_NULL;
     if (bands < 1 || bands > SH_MAX_BANDS) return SH_ERROR_BANDS;
     if (planes != SH_VALUES && planes != SH_GRADIENT && planes != SH_HESSIAN) return SH_ERROR_OPTION;
     if (!SHI_FN(shi_finite)(&power, 1) || !(power > 0 && power <= SHI_C(64))) return SH_ERROR_OPTION;
-    if (channels < 1 || count < 1 || count > SHI_MOST_ITEMS / (size_t)channels) return SH_ERROR_COUNT;
+    if (channels < 1 || count < 1 || count > SHI_MOST(n * (size_t)planes + 3) / (size_t)channels) return SH_ERROR_COUNT;
+    if (!samples || !blocks || !point || !coeffs) return SH_ERROR_NULL;
     block = n * (size_t)planes * (size_t)channels;
     if (shi_overlap(coeffs, out, blocks, count * block * sizeof *blocks)
         || shi_overlap(coeffs, out, samples, 3 * count * sizeof *samples)

@@ -5438,9 +5438,9 @@ SHI_NOINLINE int shi_within_engine(int bands, int sides, int tight, double toler
 
 SHI_INLINE int SHI_FN(shi_polygon_check)(int bands, int sides, const SHI_T *point, size_t count, const SHI_T *vertices)
 {
-    if (!point || !vertices) return SH_ERROR_NULL;
     if (bands < 1 || bands > SH_MAX_POLYGON_BANDS) return SH_ERROR_BANDS;
     if (sides < SH_BOTH || sides > SH_SIGNED) return SH_ERROR_OPTION;
+    if (!point || !vertices) return SH_ERROR_NULL;
     if (count < 3) return SH_ERROR_VERTICES;
     if (!SHI_FN(shi_finite)(point, 3) || !SHI_FN(shi_finite)(vertices, 3 * count)) return SH_ERROR_NOT_FINITE;
     return SH_OK;
@@ -5546,9 +5546,9 @@ SH_API int SHI_FN(sh_triangle_as_sphere)(int bands, int sides, const SHI_T point
     double x[3], v[9], out[SH_MAX_BANDS * SH_MAX_BANDS], g[3 * SH_MAX_BANDS * SH_MAX_BANDS], e = 0;
     const size_t size = (size_t)bands * (size_t)bands;
     int k, status;
-    if (!point || !a || !b || !c || !coeffs) return SH_ERROR_NULL;
     if (bands < 1 || bands > SH_MAX_BANDS) return SH_ERROR_BANDS;
     if (sides < SH_BOTH || sides > SH_SIGNED) return SH_ERROR_OPTION;
+    if (!point || !a || !b || !c || !coeffs) return SH_ERROR_NULL;
     if (!SHI_FN(shi_finite)(point, 3) || !SHI_FN(shi_finite)(a, 3) || !SHI_FN(shi_finite)(b, 3) || !SHI_FN(shi_finite)(c, 3))
         return SH_ERROR_NOT_FINITE;
     status = SHI_FN(shi_polygon_outputs)(size, point, 1, a, coeffs, grad);
@@ -5618,14 +5618,18 @@ SHI_INLINE int SHI_FN(shi_check_polygon_lights)(const SHI_FN(shi_polygon_lights)
     const size_t item = sizeof *out, channels = (size_t)o->channels, points = o->places.count;
     const size_t bytes = points * channels * (size_t)o->planes * (size_t)o->bands * (size_t)o->bands * item;
     size_t i, total = 0;
-    if (points && !(o->places.at || o->places.grid)) return SH_ERROR_NULL;
     if (o->bands < 1 || o->bands > SH_MAX_POLYGON_BANDS) return SH_ERROR_BANDS;
     if (o->planes != SH_VALUES && o->planes != SH_GRADIENT) return SH_ERROR_OPTION;
-    if (o->channels < 1 || (!o->radiance && o->channels != 1)) return SH_ERROR_COUNT;
     if (o->sides < SH_BOTH || o->sides > SH_SIGNED) return SH_ERROR_OPTION;
+    if (o->channels < 1) return SH_ERROR_COUNT;
     if (!points) return SH_OK;
-    if (!out || (o->count && (!o->counts || !o->vertices))) return SH_ERROR_NULL;
-    if (points > SHI_MOST_ITEMS / channels || o->count > SHI_MOST_ITEMS / channels) return SH_ERROR_COUNT;
+    if (points > SHI_MOST(o->planes * o->bands * o->bands + 3) / channels || o->count > SHI_MOST(4) / channels)
+        return SH_ERROR_COUNT;
+    if (!(o->places.at || o->places.grid) || (o->count && (!o->counts || !o->vertices)) || !out) return SH_ERROR_NULL;
+    if (o->places.grid) {
+        const int status = SHI_FN(shi_check_grid)(o->places.grid, o->places.first, points);
+        if (status) return status;
+    }
     for (i = 0; i < o->count; i++) {
         if (o->counts[i] < 3) return SH_ERROR_VERTICES;
         total += (size_t)o->counts[i];
@@ -5818,7 +5822,7 @@ SHI_INLINE int SHI_FN(shi_polygons)(const SHI_FN(shi_polygon_lights) *o, SHI_T *
  *   point     [points][3]
  *   counts    [polygons]: vertices of each, >= 3
  *   vertices  [sum of counts][3], polygon after polygon
- *   radiance  [channels][polygons], or NULL: 1, one channel
+ *   radiance  [channels][polygons], or NULL: 1
  *   out       [points][channels][planes][N]
  *
  * Degenerate cases as sh_polygon (which computes them); status SH_ON_LIGHT if any point lies on a polygon. A polygon that is not
@@ -5857,8 +5861,7 @@ SH_API int SHI_FN(sh_polygons_grid)(int bands, int planes, int channels, int sid
 {
     const SHI_FN(shi_polygon_lights) o = { bands, planes, channels, sides, { nodes, first, NULL, grid }, polygons, counts,
                                            vertices, radiance };
-    const int status = grid ? SHI_FN(shi_check_grid)(grid, first, nodes) : SH_ERROR_NULL;
-    return status ? status : SHI_FN(shi_polygons)(&o, out);
+    return SHI_FN(shi_polygons)(&o, out);
 }
 
 /* ---- WR18's route ---- */
@@ -6113,6 +6116,32 @@ SHI_INLINE void SHI_FN(shi_quad_corner)(const SHI_T *quad, int width, int height
         out[k] = v1 * (u1 * quad[k] + u * quad[3 + k]) + v * (u1 * quad[9 + k] + u * quad[6 + k]);
 }
 
+/* channel c of texel x, y and, over a rectangle x0 y0 x1 y1 of texels, its mean, and whether none is further from that */
+typedef struct {
+    const SHI_T *texel;
+    int width, channels;
+} SHI_FN(shi_texture);
+SHI_INLINE double SHI_FN(shi_texel)(const SHI_FN(shi_texture) *t, int c, int x, int y)
+{
+    return (double)t->texel[((size_t)y * (size_t)t->width + (size_t)x) * (size_t)t->channels + (size_t)c];
+}
+SHI_INLINE double SHI_FN(shi_texel_mean)(const SHI_FN(shi_texture) *t, int c, const int r[4])
+{
+    double sum = 0;
+    int x, y;
+    for (y = r[1]; y < r[3]; y++)
+        for (x = r[0]; x < r[2]; x++) sum += SHI_FN(shi_texel)(t, c, x, y);
+    return sum / ((double)(r[2] - r[0]) * (double)(r[3] - r[1]));
+}
+SHI_INLINE int SHI_FN(shi_texels_near)(const SHI_FN(shi_texture) *t, int c, const int r[4], double mean, double tolerance)
+{
+    int x, y;
+    for (y = r[1]; y < r[3]; y++)
+        for (x = r[0]; x < r[2]; x++)
+            if (fabs(SHI_FN(shi_texel)(t, c, x, y) - mean) > tolerance) return 0;
+    return 1;
+}
+
 /* A quadrilateral with a texture, as polygons of one radiance each: texels that differ by no more than a tolerance merge, by a
  * quadtree over the texture (WR18 Fig. 10; M22's future work). The result is what sh_polygons_n takes.
  *
@@ -6131,71 +6160,59 @@ SHI_INLINE void SHI_FN(shi_quad_corner)(const SHI_T *quad, int width, int height
 SH_API int SHI_FN(sh_textured_quad)(const SHI_T quad[12], int width, int height, int channels, const SHI_T *texels,
                                     SHI_T tolerance, size_t most, size_t *pieces, int *counts, SHI_T *vertices, SHI_T *radiance)
 {
-    /* a stack of rectangles x0 y0 x1 y1: depth first, three siblings wait per level */
-    int stack[4 * 3 * 34], top = 0, pass, c, x, y, k;
+    const SHI_FN(shi_texture) t = { texels, width, channels };
+    const int write = counts && vertices && radiance;
+    int stack[3 * 34][4], top = 0, pass, c, k;      /* of rectangles, depth first: three siblings wait per level */
     size_t total = 0;
-    if (!quad || !texels || !pieces) return SH_ERROR_NULL;
-    if (width < 1 || height < 1 || channels < 1) return SH_ERROR_COUNT;
-    if (!SHI_FN(shi_finite)(quad, 12)) return SH_ERROR_NOT_FINITE;
     if (SHI_FN(shi_is_nan)(tolerance) || tolerance < 0) return SH_ERROR_OPTION;
+    if (width < 1 || height < 1 || channels < 1) return SH_ERROR_COUNT;
+    if (!quad || !texels || !pieces) return SH_ERROR_NULL;
     {
-        const size_t read = (size_t)width * (size_t)height * (size_t)channels * sizeof *texels;
-        const size_t last = counts && vertices && radiance ? most : 0;              /* pieces that may be written */
-        if (shi_overlap(quad, 12 * sizeof *quad, vertices, 12 * last * sizeof *vertices)
-            || shi_overlap(quad, 12 * sizeof *quad, radiance, (size_t)channels * last * sizeof *radiance)
-            || shi_overlap(texels, read, vertices, 12 * last * sizeof *vertices)
-            || shi_overlap(texels, read, radiance, (size_t)channels * last * sizeof *radiance)
-            || shi_overlap(vertices, 12 * last * sizeof *vertices, radiance, (size_t)channels * last * sizeof *radiance))
-            return SH_ERROR_OVERLAP;
+        const size_t item = sizeof *texels, last = write ? most : 0;                /* pieces that may be written */
+        const void *const at[6] = { quad, texels, pieces, counts, vertices, radiance };     /* read, from the third on written */
+        size_t bytes[6];
+        int i;
+        bytes[0] = 12 * item;
+        bytes[1] = (size_t)width * (size_t)height * (size_t)channels * item;
+        bytes[2] = sizeof *pieces;
+        bytes[3] = last * sizeof *counts;
+        bytes[4] = 12 * last * item;
+        bytes[5] = (size_t)channels * last * item;
+        for (k = 2; k < 6; k++)
+            for (i = 0; i < k; i++)
+                if (shi_overlap(at[i], bytes[i], at[k], bytes[k])) return SH_ERROR_OVERLAP;
     }
-    for (pass = 0; pass < (counts && vertices && radiance ? 2 : 1); pass++) {
+    if (!SHI_FN(shi_finite)(quad, 12)) return SH_ERROR_NOT_FINITE;
+    for (pass = 0; pass < (write ? 2 : 1); pass++) {
         size_t n = 0;
-        stack[0] = stack[1] = 0;
-        stack[2] = width;
-        stack[3] = height;
-        top = 4;
-        while (top) {
-            const int x0 = stack[top - 4], y0 = stack[top - 3], x1 = stack[top - 2], y1 = stack[top - 1];
+        stack[0][0] = stack[0][1] = 0;
+        stack[0][2] = width;
+        stack[0][3] = height;
+        for (top = 1; top;) {
+            const int x0 = stack[--top][0], y0 = stack[top][1], x1 = stack[top][2], y1 = stack[top][3];
+            const int r[4] = { x0, y0, x1, y1 };
             int flat = 1, dark = 1;
-            top -= 4;
             for (c = 0; c < channels && flat; c++) {
-                const SHI_T *const t = texels + c;
-                double sum = 0, mean;
-                for (y = y0; y < y1; y++)
-                    for (x = x0; x < x1; x++)
-                        sum += (double)t[((size_t)y * (size_t)width + (size_t)x) * (size_t)channels];
-                mean = sum / ((double)(x1 - x0) * (double)(y1 - y0));
+                const double mean = SHI_FN(shi_texel_mean)(&t, c, r);
                 if (mean != 0) dark = 0;
-                for (y = y0; y < y1 && flat; y++)
-                    for (x = x0; x < x1; x++)
-                        if (fabs((double)t[((size_t)y * (size_t)width + (size_t)x) * (size_t)channels] - mean)
-                            > (double)tolerance) {
-                            flat = 0;
-                            break;
-                        }
+                flat = SHI_FN(shi_texels_near)(&t, c, r, mean, (double)tolerance);
             }
             if (!flat && (x1 - x0 > 1 || y1 - y0 > 1)) {
                 const int xm = x1 - x0 > 1 ? (x0 + x1) / 2 : x1, ym = y1 - y0 > 1 ? (y0 + y1) / 2 : y1;
                 for (k = 3; k >= 0; k--) {
-                    const int ax = k & 1 ? xm : x0, bx = k & 1 ? x1 : xm, ay = k & 2 ? ym : y0, by = k & 2 ? y1 : ym;
-                    if (ax == bx || ay == by) continue;
-                    stack[top++] = ax;
-                    stack[top++] = ay;
-                    stack[top++] = bx;
-                    stack[top++] = by;
+                    stack[top][0] = k & 1 ? xm : x0;
+                    stack[top][1] = k & 2 ? ym : y0;
+                    stack[top][2] = k & 1 ? x1 : xm;
+                    stack[top][3] = k & 2 ? y1 : ym;
+                    if (stack[top][0] < stack[top][2] && stack[top][1] < stack[top][3]) top++;
                 }
                 continue;
             }
             if (dark) continue;
             if (pass) {
                 SHI_T *const v = vertices + 12 * n;
-                for (c = 0; c < channels; c++) {
-                    double sum = 0;
-                    for (y = y0; y < y1; y++)
-                        for (x = x0; x < x1; x++)
-                            sum += (double)texels[((size_t)y * (size_t)width + (size_t)x) * (size_t)channels + (size_t)c];
-                    radiance[(size_t)c * total + n] = (SHI_T)(sum / ((double)(x1 - x0) * (double)(y1 - y0)));
-                }
+                for (c = 0; c < channels; c++)
+                    radiance[(size_t)c * total + n] = (SHI_T)SHI_FN(shi_texel_mean)(&t, c, r);
                 counts[n] = 4;
                 SHI_FN(shi_quad_corner)(quad, width, height, x0, y0, v);
                 SHI_FN(shi_quad_corner)(quad, width, height, x1, y0, v + 3);
@@ -6207,7 +6224,7 @@ SH_API int SHI_FN(sh_textured_quad)(const SHI_T quad[12], int width, int height,
         if (!pass) {
             total = n;
             *pieces = n;
-            if (n > most && counts && vertices && radiance) return SH_ERROR_COUNT;
+            if (n > most && write) return SH_ERROR_COUNT;
         }
     }
     return SH_OK;

@@ -1440,7 +1440,7 @@ SHI_INLINE void SHI_KN(shi_prod_rotate_all)(int bands, int plain, const SHI_T *s
     }
 }
 
-/* Which of the lanes' normals have no direction; the status of the first, SH_OK if all have one. */
+/* Which of the lanes' normals have no direction; the status of the last, SH_OK if all have one. */
 SHI_INLINE int SHI_KN(shi_prod_bad_normals)(const SHI_V n[3], char *bad)
 {
     SHI_T t[3][SHI_W];
@@ -1451,12 +1451,12 @@ SHI_INLINE int SHI_KN(shi_prod_bad_normals)(const SHI_V n[3], char *bad)
         SHI_T u[3];
         for (k = 0; k < 3; k++) u[k] = t[k][i];
         bad[i] = !SHI_ONE(shi_in_range)(u[0] * u[0] + u[1] * u[1] + u[2] * u[2], SHI_MIN2, SHI_MAX2);
-        if (bad[i] && status == SH_OK) status = SHI_FN(shi_direction_status)(u);
+        if (bad[i]) status = SHI_FN(shi_direction_status)(u);
     }
     return status;
 }
 
-/* normals: NULL for +z. A bad one leaves its output alone; returns the status of the first. */
+/* normals: NULL for +z. A bad one leaves its output alone; returns the status of the last. */
 SHI_INLINE int SHI_KN(shi_prod_cosine_all)(int bands, int plain, const SHI_T *swap, const SHI_T *clamp, size_t count,
                                            const SHI_T *normals, const SHI_T *in, SHI_T *out)
 {
@@ -1475,7 +1475,7 @@ SHI_INLINE int SHI_KN(shi_prod_cosine_all)(int bands, int plain, const SHI_T *sw
             SHI_KN(shi_prod_cosine)(bands, swap, clamp, n, d);
         } else SHI_KN(shi_prod_clamp)(bands, clamp, d);
         SHI_KN(shi_prod_leave)(bands * bands, plain, v, count, now ? bad : NULL, d, out);
-        if (!status) status = now;
+        if (now) status = now;
     }
     return status;
 }
@@ -1573,10 +1573,10 @@ SH_API int SHI_FN(sh_rotation_inverse)(const SHI_FN(sh_rotation) *r, SHI_FN(sh_r
 SHI_INLINE int SHI_FN(shi_check_vectors)(int bands, int most, size_t count, const SHI_T *in, const SHI_T *out)
 {
     size_t size;
-    if (count && (!in || !out)) return SH_ERROR_NULL;
     if (bands < 1 || bands > most) return SH_ERROR_BANDS;
+    if (count > SHI_MOST(bands * bands + 3)) return SH_ERROR_COUNT;
+    if (count && (!in || !out)) return SH_ERROR_NULL;
     size = (size_t)(bands * bands) * sizeof(SHI_T);
-    if (count > (size_t)-1 / 2 / size) return SH_ERROR_COUNT;
     if (count && shi_clash(out, count * size, in, count * size)) return SH_ERROR_OVERLAP;
     return SH_OK;
 }
@@ -1684,12 +1684,11 @@ SHI_INLINE int SHI_FN(shi_products)(int na, int nb, int n, size_t count, const S
     size_t v, bytes;
     int pairs = 4, first = 0, size, i;
 
-    if (count && (!a || !b || !out)) return SH_ERROR_NULL;
     if (na < 1 || nb < 1 || n < 1 || most > SH_PRODUCT_BANDS) return SH_ERROR_BANDS;
     size = most * most;
-    bytes = (size_t)size * sizeof(SHI_T);
-    if (count > (size_t)-1 / 2 / bytes) return SH_ERROR_COUNT;
+    if (count > SHI_MOST(size)) return SH_ERROR_COUNT;
     if (!count) return SH_OK;
+    if (!a || !b || !out) return SH_ERROR_NULL;
     bytes = count * (size_t)(n * n) * sizeof(SHI_T);
     if (shi_clash(out, bytes, a, count * (size_t)(na * na) * sizeof(SHI_T)) ||
         shi_clash(out, bytes, b, count * (size_t)(nb * nb) * sizeof(SHI_T))) return SH_ERROR_OVERLAP;
@@ -1823,8 +1822,8 @@ SH_API int SHI_FN(sh_zonal_cosine)(int bands, SHI_T *zh)
 {
     double z[SH_MAX_BANDS];
     int l;
-    if (!zh) return SH_ERROR_NULL;
     if (bands < 1 || bands > SH_MAX_BANDS) return SH_ERROR_BANDS;
+    if (!zh) return SH_ERROR_NULL;
     shi_zonal_power(bands, 1, z);
     for (l = 0; l < bands; l++) zh[l] = (SHI_T)(SHI_TAU * z[l]);
     return SH_OK;
@@ -1837,9 +1836,9 @@ SH_API int SHI_FN(sh_zonal_phong)(int bands, SHI_T s, SHI_T *zh)
 {
     double z[SH_MAX_BANDS];
     int l;
-    if (!zh) return SH_ERROR_NULL;
     if (bands < 1 || bands > SH_MAX_BANDS) return SH_ERROR_BANDS;
     if (!SHI_FN(shi_finite)(&s, 1) || !(s >= 0)) return SH_ERROR_OPTION;
+    if (!zh) return SH_ERROR_NULL;
     shi_zonal_power(bands, (double)s, z);
     for (l = 0; l < bands; l++) zh[l] = (SHI_T)(((double)s + 1) * z[l]);
     return SH_OK;
@@ -1855,9 +1854,9 @@ SH_API int SHI_FN(sh_zonal_ggx)(int bands, SHI_T alpha, SHI_T *zh)
 {
     double z[SH_MAX_BANDS];
     int l;
-    if (!zh) return SH_ERROR_NULL;
     if (bands < 1 || bands > SH_MAX_BANDS) return SH_ERROR_BANDS;
     if (!SHI_FN(shi_finite)(&alpha, 1) || !(alpha >= 0 && alpha <= 1)) return SH_ERROR_OPTION;
+    if (!zh) return SH_ERROR_NULL;
     shi_ggx(bands, (double)alpha, z);
     for (l = 0; l < bands; l++) zh[l] = (SHI_T)z[l];
     return SH_OK;
@@ -1893,8 +1892,8 @@ SH_API int SHI_FN(sh_convolve)(int bands, const SHI_T *zh, const SHI_T *in, SHI_
 {
     SHI_T factors[SH_MAX_BANDS];
     int l;
-    if (!zh || !in || !out) return SH_ERROR_NULL;
     if (bands < 1 || bands > SH_MAX_BANDS) return SH_ERROR_BANDS;
+    if (!zh || !in || !out) return SH_ERROR_NULL;
     for (l = 0; l < bands; l++) factors[l] = (SHI_T)(sqrt((2 * SHI_TAU) / (2 * l + 1)) * (double)zh[l]);
     return SHI_FN(sh_scale_bands)(bands, factors, in, out);
 }
@@ -1912,6 +1911,7 @@ SH_API int SHI_FN(sh_diffuse_n)(int bands, const SHI_T *coeffs, size_t count, co
     SHI_T zh[SH_MAX_BANDS], c[SH_MAX_BANDS * SH_MAX_BANDS];
     if (bands < 1 || bands > SH_MAX_BANDS) return SH_ERROR_BANDS;
     if (!count) return SH_OK;
+    if (count > SHI_MOST(3)) return SH_ERROR_COUNT;
     if (!coeffs || !normals || !irradiance) return SH_ERROR_NULL;
     if (shi_overlap(coeffs, (size_t)(bands * bands) * sizeof *coeffs, irradiance, count * sizeof *irradiance))
         return SH_ERROR_OVERLAP;
@@ -1921,7 +1921,7 @@ SH_API int SHI_FN(sh_diffuse_n)(int bands, const SHI_T *coeffs, size_t count, co
 }
 
 /* One normal: irradiance [1]. */
-SH_API int SHI_FN(sh_diffuse)(int bands, const SHI_T normal[3], const SHI_T *coeffs, SHI_T *irradiance)
+SH_API int SHI_FN(sh_diffuse)(int bands, const SHI_T *coeffs, const SHI_T normal[3], SHI_T *irradiance)
 {
     return SHI_FN(sh_diffuse_n)(bands, coeffs, 1, normal, irradiance);
 }
@@ -1938,9 +1938,9 @@ SH_API int SHI_FN(sh_cosine_product_zonal)(int bands, int zonal_bands, const SHI
     SHI_T zh[SH_PRODUCT_BANDS], cosine[SH_PRODUCT_BANDS * SH_PRODUCT_BANDS];
     int status;
 
-    if (!normal || !coeffs || !out) return SH_ERROR_NULL;
     if (bands < 1 || bands > SH_PRODUCT_BANDS
         || zonal_bands < 1 || zonal_bands > SH_PRODUCT_BANDS) return SH_ERROR_BANDS;
+    if (!normal || !coeffs || !out) return SH_ERROR_NULL;
     SHI_FN(sh_zonal_cosine)(zonal_bands, zh);
     status = SHI_FN(sh_zonal_rotate)(zonal_bands, zh, normal, cosine);
     if (status) return status;
@@ -1963,8 +1963,8 @@ SH_API int SHI_FN(sh_convert_to)(int convention, int bands, const SHI_T *ours, S
     const int size = sh_convention_size(convention, bands);
     int l, m;
 
-    if (!ours || !theirs) return SH_ERROR_NULL;
     if (size < 0) return size;
+    if (!ours || !theirs) return SH_ERROR_NULL;
     if (shi_overlap(ours, (size_t)(bands * bands) * sizeof *ours, theirs, (size_t)size * sizeof *theirs))
         return SH_ERROR_OVERLAP;
     memset(theirs, 0, (size_t)size * sizeof *theirs);
@@ -2004,8 +2004,8 @@ SH_API int SHI_FN(sh_convert_from)(int convention, int bands, const SHI_T *their
     SHI_T t[9];
     int l, m;
 
-    if (!ours || !theirs) return SH_ERROR_NULL;
     if (size < 0) return size;
+    if (!ours || !theirs) return SH_ERROR_NULL;
     if (shi_overlap(ours, (size_t)(bands * bands) * sizeof *ours, theirs, (size_t)size * sizeof *theirs))
         return SH_ERROR_OVERLAP;
     if (c->order == SHI_ORDER_PACKED) {
@@ -2078,9 +2078,9 @@ SHI_INLINE void SHI_FN(shi_window_factors)(int kind, int bands, double width, SH
  * Source: S08. */
 SH_API int SHI_FN(sh_window)(int kind, int bands, SHI_T width, SHI_T *factors)
 {
-    if (!factors) return SH_ERROR_NULL;
     if (bands < 1 || bands > SH_MAX_BANDS) return SH_ERROR_BANDS;
     if (kind < SH_HANN || kind > SH_GAUSS || !SHI_FN(shi_finite)(&width, 1) || !(width > 0)) return SH_ERROR_OPTION;
+    if (!factors) return SH_ERROR_NULL;
     SHI_FN(shi_window_factors)(kind, bands, (double)width, factors);
     return SH_OK;
 }
@@ -2211,8 +2211,8 @@ SH_API int SHI_FN(sh_minimum)(int bands, const SHI_T *coeffs, SHI_T *dir, SHI_T 
     SHI_T where[3] = { 0, 0, 1 }, low;
     int k;
 
-    if (!coeffs) return SH_ERROR_NULL;
     if (bands < 1 || bands > SH_MAX_BANDS) return SH_ERROR_BANDS;
+    if (!coeffs) return SH_ERROR_NULL;
     if (shi_overlap(dir, 3 * sizeof *dir, value, sizeof *value)) return SH_ERROR_OVERLAP;
     low = SHI_FN(shi_lowest)(bands, coeffs, 0, where);
     if (value) *value = low;
@@ -2258,13 +2258,13 @@ SH_API int SHI_FN(sh_dering)(int kind, int bands, int channels, const SHI_T *in,
     SHI_T factors[SH_MAX_BANDS];
     int c, k, n;
 
-    if (!in || !out) return SH_ERROR_NULL;
     if (bands < 1 || bands > SH_MAX_BANDS) return SH_ERROR_BANDS;
     if (channels < 1 || channels > 1 << 16) return SH_ERROR_COUNT;
+    if (kind < SH_HANN || kind > SH_GAUSS) return SH_ERROR_OPTION;
+    if (!in || !out) return SH_ERROR_NULL;
     n = bands * bands;
     bytes = (size_t)(channels * n) * sizeof *in;
     if (shi_overlap(in, bytes, out, bytes) || shi_overlap(width, sizeof *width, out, bytes)) return SH_ERROR_OVERLAP;
-    if (kind < SH_HANN || kind > SH_GAUSS) return SH_ERROR_OPTION;
     if (!SHI_FN(shi_finite)(in, bytes / sizeof *in)) return SH_ERROR_NOT_FINITE;
     for (c = 0; c < channels; c++)
         if (!(in[c * n] > 0)) return SH_ERROR_OPTION;

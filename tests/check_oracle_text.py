@@ -4,7 +4,7 @@ import subprocess
 FINITE = "error,NaN or infinite input"
 COUNT = "error,count out of range"
 DIRECTION = "error,direction is zero or its length out of range"
-RADIUS = "error,radius or angle out of range"
+RADIUS = "error,radius or depth or angle out of range"
 MATRIX = "error,matrix is not a rotation"
 Y = "Y,0.282094806"
 FULL, DARK = "c,3.54490781 dx,0 dy,0 dz,0", "c,0 dx,0 dy,0 dz,0"

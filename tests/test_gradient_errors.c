@@ -446,6 +446,15 @@ static void F(spheres)(void **state)
     F(fill)();
     assert_int_equal(F(sh_spheres_n)(3, SH_GRADIENT, 1, 2, p, COUNT, lights, NULL, o), SH_ERROR_NOT_FINITE);
     assert_true(F(untouched)(36, F(ROOM)) && !F(untouched)(0, 36));
+    p[0] = IS_F32 ? (T)1e20 : (T)1e160;             /* nor are those of a finite one out of range, and the next is written */
+    p[4] = 0;
+    F(fill)();
+    assert_int_equal(F(sh_spheres_n)(3, SH_GRADIENT, 1, 2, p, COUNT, lights, NULL, o), SH_ERROR_DIRECTION);
+    assert_true(F(untouched)(0, 36) && !F(untouched)(36, 72) && F(untouched)(72, F(ROOM)));
+    lights[3] = F(nan)();                           /* a light that is not finite comes first, wherever the points are */
+    REFUSED(SH_ERROR_NOT_FINITE, F(sh_spheres_n)(3, SH_GRADIENT, 1, 2, p, COUNT, lights, NULL, o));
+    lights[3] = 5;
+    p[0] = (T)0.25;
     /* NaN radiance is data, of its own channel */
     radiance[COUNT + 3] = F(nan)();
     assert_int_equal(F(sh_spheres)(3, SH_GRADIENT, 2, p, COUNT, lights, radiance, o), SH_OK);

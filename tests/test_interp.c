@@ -796,6 +796,7 @@ static void F(statuses)(void **state)
     ALL(SH_ERROR_NULL, 2, 4, 1, NULL, nodes, SH_EDGE_HERMITE, SH_CLAMP, 1, point, transfer);
     ALL(SH_ERROR_NULL, 2, 4, 1, &g, NULL, SH_EDGE_HERMITE, SH_CLAMP, 1, point, transfer);
     ALL(SH_ERROR_NULL, 2, 4, 1, &g, nodes, SH_EDGE_HERMITE, SH_CLAMP, 1, NULL, transfer);
+    ALL(SH_OK, 2, 4, 1, &g, NULL, SH_EDGE_HERMITE, SH_CLAMP, 0, NULL, NULL);                /* nothing to do */
     IS(SH_ERROR_NULL, F(sh_grid_interp)(2, 4, 1, &g, nodes, SH_EDGE_HERMITE, SH_CLAMP, point, NULL));
     IS(SH_ERROR_NULL, F(sh_grid_gradient)(2, 4, 1, &g, nodes, SH_EDGE_HERMITE, SH_CLAMP, point, NULL));
     IS(SH_ERROR_NULL, F(sh_grid_dot)(2, 4, 1, &g, nodes, SH_EDGE_HERMITE, SH_CLAMP, point, transfer, NULL));

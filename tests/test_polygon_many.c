@@ -405,15 +405,21 @@ static void F(statuses)(void **state)
 {
     static const T v[12] = { -1, -1, 0, 3, -1, 0, 3, 3, 0, -1, 3, 0 }, p[3] = { 0, 0, 1 };
     static const int counts[1] = { 4 }, two[1] = { 2 };
+    volatile size_t wrapping = (size_t)-1 / 8;     /* a count known when compiling would be a warning */
     T out[64], bad[6] = { 0, 0, 1, 0, 0, 0 };
     int i;
     (void)state;
     for (i = 0; i < 64; i++) out[i] = 7;
     assert_int_equal(F(sh_polygons_n)(4, 2, 1, SH_BOTH, 1, p, 1, counts, v, NULL, out), SH_ERROR_OPTION);
-    assert_int_equal(F(sh_polygons_n)(4, SH_VALUES, 2, SH_BOTH, 1, p, 1, counts, v, NULL, out),
-                     SH_ERROR_COUNT);
-    assert_int_equal(F(sh_polygons_n)(2, SH_VALUES, 1, SH_BOTH, (size_t)-1 / 8, p, 1, counts, v, NULL, out), SH_ERROR_COUNT);
-    assert_int_equal(F(sh_polygons_zonal_n)(2, SH_VALUES, 1, SH_BOTH, (size_t)-1 / 8, p, 1, counts, v, NULL, out), SH_ERROR_COUNT);
+    assert_int_equal(F(sh_polygons_n)(4, SH_VALUES, 0, SH_BOTH, 1, p, 1, counts, v, NULL, out), SH_ERROR_COUNT);
+    {   /* no radiance is 1 in every channel */
+        T one[16], three[48];
+        assert_int_equal(F(sh_polygons_n)(4, SH_VALUES, 1, SH_BOTH, 1, p, 1, counts, v, NULL, one), SH_OK);
+        assert_int_equal(F(sh_polygons_n)(4, SH_VALUES, 3, SH_BOTH, 1, p, 1, counts, v, NULL, three), SH_OK);
+        for (i = 0; i < 3; i++) assert_memory_equal(three + 16 * i, one, sizeof one);
+    }
+    assert_int_equal(F(sh_polygons_n)(2, SH_VALUES, 1, SH_BOTH, wrapping, p, 1, counts, v, NULL, out), SH_ERROR_COUNT);
+    assert_int_equal(F(sh_polygons_zonal_n)(2, SH_VALUES, 1, SH_BOTH, wrapping, p, 1, counts, v, NULL, out), SH_ERROR_COUNT);
     assert_int_equal(F(sh_polygons_n)(17, SH_VALUES, 1, SH_BOTH, 1, p, 1, counts, v, NULL, out),
                      SH_ERROR_BANDS);
     assert_int_equal(F(sh_polygons_n)(4, SH_VALUES, 1, 5, 1, p, 1, counts, v, NULL, out), SH_ERROR_OPTION);
@@ -801,6 +807,10 @@ static void F(texture)(void **state)
     assert_int_equal(n, 1);                                 /* the number that does not fit */
     assert_int_equal(F(sh_textured_quad)(quad, W, H, 2, texels, 0, W * H, &n, counts, texels, radiance), SH_ERROR_OVERLAP);
     assert_int_equal(F(sh_textured_quad)(quad, W, H, 2, texels, 0, W * H, &n, counts, vertices, vertices + 11), SH_ERROR_OVERLAP);
+    assert_int_equal(F(sh_textured_quad)(quad, W, H, 2, texels, 0, W * H, &n, (int *)(void *)vertices, vertices, radiance),
+                     SH_ERROR_OVERLAP);
+    assert_int_equal(F(sh_textured_quad)(quad, W, H, 2, texels, 0, W * H, (size_t *)(void *)texels, counts, vertices, radiance),
+                     SH_ERROR_OVERLAP);
     assert_int_equal(F(sh_textured_quad)(quad, 0, H, 2, texels, 0, 0, &n, NULL, NULL, NULL), SH_ERROR_COUNT);
     assert_int_equal(F(sh_textured_quad)(NULL, W, H, 2, texels, 0, 0, &n, NULL, NULL, NULL), SH_ERROR_NULL);
     row_close(w);

@@ -76,7 +76,7 @@ int main(void)
 
     reference(n, r, 0, &open_d, &open_s, &want_bare);
     printf("without visibility (direct integration: diffuse %.4f, specular %.4f)\n", open_d, open_s);
-    sh_diffuse_f32(BANDS, n, light, &d);                                /* irradiance map */
+    sh_diffuse_f32(BANDS, light, n, &d);                                /* irradiance map */
     sh_convolve_f32(BANDS, zh, light, convolved);
     sh_reconstruct_f32(BANDS, convolved, r, &s, NULL);
     bad |= line("  irradiance map", d, open_d, s, want_bare);

@@ -18,6 +18,7 @@ void *memset(void *to, int c, size_t n)
 
 enum { BANDS = 6, N = BANDS * BANDS, COUNT = 19 };
 static float dirs[3 * COUNT], y[COUNT * N], g[3 * COUNT * N], spheres[4 * COUNT], out[4 * N];
+static float many[3 * 100000];
 static double d64[3], y64[N], g64[3 * N], s64[4 * COUNT], out64[4 * N];
 
 __attribute__((export_name("worst"))) double worst(void)
@@ -38,6 +39,14 @@ __attribute__((export_name("worst"))) double worst(void)
     for (i = 0; i < 4 * COUNT; i++) s64[i] = (double)spheres[i];
     if (sh_eval_grad_n_f32(BANDS, COUNT, dirs, y, g) || sh_spheres_f32(BANDS, SH_GRADIENT, 1, point, COUNT, spheres, NULL, out)
         || sh_spheres_f64(BANDS, SH_GRADIENT, 1, point64, COUNT, s64, NULL, out64)) return -1;
+    {   /* as many items as 32-bit addresses hold, not as many as the largest item leaves room for */
+        const sh_grid_f32 grid = { { 0, 0, 0 }, { 1, 1, 1 }, { 48, 48, 48 } };
+        for (i = 0; i < 100000; i++) many[3 * i] = 1;
+        if (sh_project_n_f32(2, 100000, many, many, y) || sh_reconstruct_n_f32(2, y, 100000, many, many, NULL) != SH_ERROR_OVERLAP
+            || sh_spheres_grid_f32(BANDS, SH_GRADIENT, 1, &grid, 48 * 48 * 48 - 1, 1, COUNT, spheres, NULL, out)
+            || sh_eval_n_f32(BANDS, (size_t)-1 / 256, dirs, y) != SH_ERROR_COUNT) return -3;
+        if (sh_eval_grad_n_f32(BANDS, COUNT, dirs, y, g) || sh_spheres_f32(BANDS, SH_GRADIENT, 1, point, COUNT, spheres, NULL, out)) return -4;
+    }
     for (i = 0; i < COUNT; i++) {
         const double length = __builtin_sqrt((double)dirs[3 * i] * (double)dirs[3 * i] + (double)dirs[3 * i + 1] * (double)dirs[3 * i + 1]
                                              + (double)dirs[3 * i + 2] * (double)dirs[3 * i + 2]);
