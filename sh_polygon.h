@@ -3708,6 +3708,12 @@ SHI_INLINE shi_two shi_two_dot(const shi_two a[3], const shi_two b[3])
     return shi_two_add(shi_two_add(shi_two_times(a[0], b[0]), shi_two_times(a[1], b[1])), shi_two_times(a[2], b[2]));
 }
 
+SHI_INLINE shi_two shi_two_root(shi_two a)
+{
+    const double s = sqrt(a.h);
+    return s > 0 ? shi_two_sum(s, 0.5 * shi_two_minus(a, shi_two_product(s, s)).h / s) : a;
+}
+
 SHI_NOINLINE int shi_polygon_engine(int bands, int sides, int tight, const double point[3], size_t count, const void *vertices,
                                     int floats, double *coeffs, double *grad, double *fan_size);
 SHI_NOINLINE int shi_triangle_sphere(int bands, int sides, const double x[3], const double v[9], double *out, double *grad,
@@ -4979,13 +4985,43 @@ SHI_INLINE void shi_sink_add(shi_sink *sink, double *s_out, double *t_out)
     for (i = 0; i < sink->nt * (sink->nt + 1); i++) t_out[i] = SHI_MANY(shi_sum)(sink->t[i]);
 }
 
-/* Bit 1 or 2 for the side of a fan's triangle that the point is on, by the direction of the first one's normal. */
-SHI_INLINE int shi_fan_side(double det, const shi_two n[3], double first[3], size_t i)
+/* tan of half the solid angle of triangle a, b, c is its volume times 6 over R = |a||b||c| + (a.b)|c| + (b.c)|a| + (a.c)|b| (Van
+ * Oosterom and Strackee 1983). R decides between 0 and 2 pi; for the foot of a needle's point
+ * it is small of second order, and rounding decided */
+SHI_INLINE double shi_fan_even(shi_two v[3][3], double *lengths)
 {
+    shi_two r[3], dot[3], sum;
+    double a[3][3], d[3], s[3], even;
+    int i, k;
+    for (i = 0; i < 3; i++)
+        for (k = 0; k < 3; k++) a[i][k] = v[i][k].h;
+    for (i = 0; i < 3; i++) {
+        d[i] = shi_dot3(a[(i + 1) % 3], a[(i + 2) % 3]);
+        s[i] = sqrt(shi_dot3(a[i], a[i]));
+    }
+    *lengths = s[0] * s[1] * s[2];
+    even = *lengths + d[0] * s[0] + d[1] * s[1] + d[2] * s[2];
+    if (fabs(even) < 1e-6 * *lengths) {
+        for (i = 0; i < 3; i++) {
+            dot[i] = shi_two_dot(v[(i + 1) % 3], v[(i + 2) % 3]);
+            r[i] = shi_two_root(shi_two_dot(v[i], v[i]));
+        }
+        sum = shi_two_times(shi_two_times(r[0], r[1]), r[2]);
+        for (i = 0; i < 3; i++) sum = shi_two_add(sum, shi_two_times(dot[i], r[i]));
+        even = sum.h;
+    }
+    return even;
+}
+
+/* Bit 1 or 2 for the side of a fan's triangle that the point is on, by the direction of the first normal that is not 0: `first`,
+ * which begins as 0. */
+SHI_INLINE int shi_fan_side(double det, const shi_two n[3], double first[3])
+{
+    const int none = first[0] == 0 && first[1] == 0 && first[2] == 0;
     double along = 0;
     int k;
     for (k = 0; k < 3; k++) {
-        if (i == 1) first[k] = n[k].h;
+        if (none) first[k] = n[k].h;
         along += n[k].h * first[k];
     }
     if (along < 0) det = -det;
@@ -5026,7 +5062,7 @@ SHI_NOINLINE int shi_polygon_engine(int bands, int sides, int tight, const doubl
     const int size = bands * bands, planes = grad ? SH_GRADIENT : SH_VALUES;
     double totals[SHI_TOTALS(SH_MAX_POLYGON_BANDS)], out[4 * SH_MAX_POLYGON_BANDS * SH_MAX_POLYGON_BANDS];
     double s[(SH_MAX_POLYGON_BANDS + 1) * (SH_MAX_POLYGON_BANDS + 2)], t[(SH_MAX_POLYGON_BANDS + 1) * (SH_MAX_POLYGON_BANDS + 2)];
-    double spread = 0, signed_sum = 0, volume = 0, area[3] = { 0, 0, 0 }, normal[3], sign, omega = 0, plane_turn = 0, least = 4;
+    double spread = 0, signed_sum = 0, volume = 0, area[3] = { 0, 0, 0 }, normal[3] = { 0, 0, 0 }, sign, omega = 0, plane_turn = 0, least = 4;
     shi_scene scene;
     shi_sink sink;
     shi_two first[3];
@@ -5042,30 +5078,23 @@ SHI_NOINLINE int shi_polygon_engine(int bands, int sides, int tight, const doubl
     /* the fan: which side, how large, is there a plane */
     shi_scene_vertex(&scene, 0, first);
     for (i = 1; i + 1 < count; i++) {
-        shi_two d1[3], d2[3], n[3], a[3], b[3];
-        double v0[3], v1[3], v2[3], r0, r1, r2, det, even, solid;
-        det = shi_scene_fan(&scene, first, i, d1, d2, n);
+        shi_two d1[3], d2[3], n[3], v[3][3];
+        double det = shi_scene_fan(&scene, first, i, d1, d2, n), even, lengths, solid;
+        if (n[0].h == 0 && n[1].h == 0 && n[2].h == 0) continue;
+        empty = 0;
         if (fabs(det) < 1e-280) det = 0;
-        shi_scene_vertex(&scene, i, a);
-        shi_scene_vertex(&scene, i + 1, b);
-        for (k = 0; k < 3; k++) {
-            area[k] += n[k].h;
-            if (n[k].h != 0) empty = 0;
-            v0[k] = first[k].h;
-            v1[k] = a[k].h;
-            v2[k] = b[k].h;
-        }
         if (det != 0) flat = 0;
-        r0 = sqrt(shi_dot3(v0, v0));
-        r1 = sqrt(shi_dot3(v1, v1));
-        r2 = sqrt(shi_dot3(v2, v2));
-        even = r0 * r1 * r2 + shi_dot3(v0, v1) * r2 + shi_dot3(v1, v2) * r0 + shi_dot3(v0, v2) * r1;
-        if (!(even > least * (r0 * r1 * r2))) least = even > 0 ? even / (r0 * r1 * r2) : 0;
+        shi_scene_vertex(&scene, 0, v[0]);
+        shi_scene_vertex(&scene, i, v[1]);
+        shi_scene_vertex(&scene, i + 1, v[2]);
+        even = shi_fan_even(v, &lengths);
+        if (!(even > least * lengths)) least = even > 0 ? even / lengths : 0;
         solid = 2 * atan2(det, even);
         spread += fabs(solid);
         signed_sum += solid;
         volume += det;
-        side |= shi_fan_side(det, n, normal, i);
+        for (k = 0; k < 3; k++) area[k] += n[k].h;
+        side |= shi_fan_side(det, n, normal);
     }
     if (empty) return SH_OK;
     for (i = 0; i < count; i++)
@@ -5321,7 +5350,7 @@ SHI_NOINLINE int shi_within_engine(int bands, int sides, int tight, double toler
 {
     enum { SPHERE, POINT, POINT4, SEVEN, SEVEN4, EXACT };
     const int size = bands * bands;
-    double total[5] = { 0, 0, 0, 0, 0 }, normal[3], volume = 0, sign;
+    double total[5] = { 0, 0, 0, 0, 0 }, normal[3] = { 0, 0, 0 }, volume = 0, sign;
     shi_scene scene;
     shi_two first[3];
     size_t i;
@@ -5337,7 +5366,7 @@ SHI_NOINLINE int shi_within_engine(int bands, int sides, int tight, double toler
                                                    six[SH_MAX_POLYGON_BANDS], six4[SH_MAX_POLYGON_BANDS];
         det = shi_scene_fan(&scene, first, i, d1, d2, n);
         volume += det;
-        side |= shi_fan_side(det, n, normal, i);
+        side |= shi_fan_side(det, n, normal);
         for (k = 0; k < 3; k++) {
             c[k] = (d1[k].h + d2[k].h) / 3;
             e[0][k] = -c[k];

@@ -169,7 +169,7 @@ int main(void)
                                     BOTH_TESTS(sides),       BOTH_TESTS(in_plane),   BOTH_TESTS(degenerate),
                                     BOTH_TESTS(statuses),    BOTH_TESTS(invariants), BOTH_TESTS(crossing),
                                     BOTH_TESTS(differences), BOTH_TESTS(winding),    BOTH_TESTS(switches),
-                                    BOTH_TESTS(edge_frame) };
+                                    BOTH_TESTS(edge_frame),  BOTH_TESTS(feet) };
     return RUN_TESTS(t);
 }
 #else
@@ -660,6 +660,64 @@ static void F(switches)(void **state)
                       (128 + 64 * ref_G(ref_band(k)) / ref_M(ref_band(k))) * (long double)EPS
                           * ref_M(ref_band(k)) * (long double)limit,
                       k);
+    }
+    row_close(w);
+}
+
+/* Polygons whose fan has triangles without area, or thin ones, and points whose foot is on the line through two of their
+ * vertices: the sum of the pieces that they are made of, none of which is thin. */
+static void F(feet)(void **state)
+{
+    static const struct { int count, pieces; double xy[20], piece[36]; } shapes[] = {
+        { 4, 1, { 0, 0, 1, 1, 2, 2, 2, 0 }, { 0, 0, 2, 2, 2, 0 } },                             /* the middle of an edge */
+        { 5, 1, { 0, 0, 0, -3, 3, 0, 2, 0, 1, 0 }, { 0, 0, 0, -3, 3, 0 } },                     /* more of them */
+        { 7, 1, { 0, -2, 2, 0, 0, -1, 0, -1, 0, 0, 0, 0, 0, -1 }, { 0, -2, 2, 0, 0, -1 } },     /* there and back */
+        { 10, 4, { 0, 0, 3, 0, 3, 3, 0, 3, 0, 0, 1, 1, 1, 2, 2, 2, 2, 1, 1, 1 },                /* a frame, by a bridge */
+          { 0, 0, 3, 0, 3, 3, 0, 0, 3, 3, 0, 3, 1, 1, 1, 2, 2, 2, 1, 1, 2, 2, 2, 1 } },
+        { 8, 6, { 0, 3, 0, 0, 3, 0, 3, 3, 2, 3, 2, 1, 1, 1, 1, 3 },                             /* U */
+          { 0, 0, 1, 0, 1, 3, 0, 0, 1, 3, 0, 3, 1, 0, 2, 0, 2, 1, 1, 0, 2, 1, 1, 1, 2, 0, 3, 0, 3, 3, 2, 0, 3, 3, 2, 3 } },
+        { 4, 1, { 0, 0, 3, 3, 3, 1, 1.5, 0.5 }, { 0, 0, 3, 3, 3, 1 } }
+    };
+    row *w = row_open("sums of pieces, foot on a line", PRECISION);
+    int turn, i, k, side;
+    (void)state;
+    for (turn = 0; turn < effort(6000); turn++) {
+        const int shape = turn % 6, count = shapes[shape].count, pieces = shapes[shape].pieces, axis = turn / 6 % 3;
+        const int from = (int)ref_between(0, count - 0.01), a = (int)ref_between(0, count - 0.01), b = (int)ref_between(0, count - 0.01);
+        const double along = ref_between(-0.5, 1.5), height = (turn & 1 ? -1 : 1) * ref_log_between(1e-15, 1e-1);
+        const double *const xy = shapes[shape].xy;
+        const int x = axis, y = (axis + 1) % 3, z = (axis + 2) % 3;
+        double pd[3], vd[30], one[4], fan, size;
+        long double want[4] = { 0, 0, 0, 0 };
+        T p[3], v[30], c[4];
+        p[x] = (T)(xy[2 * a] + along * (xy[2 * b] - xy[2 * a]));
+        p[y] = (T)(xy[2 * a + 1] + along * (xy[2 * b + 1] - xy[2 * a + 1]));
+        p[z] = (T)height;
+        for (i = 0; i < count; i++) {
+            v[3 * i + x] = (T)xy[2 * ((i + from) % count)];
+            v[3 * i + y] = (T)xy[2 * ((i + from) % count) + 1];
+            v[3 * i + z] = 0;
+        }
+        for (k = 0; k < 3; k++) pd[k] = (double)p[k];
+        for (k = 0; k < 3 * count; k++) vd[k] = (double)v[k];
+        (void)shi_polygon_engine(1, SH_SIGNED, 1, pd, (size_t)count, vd, 0, one, NULL, &fan);
+        for (i = 0; i < pieces; i++) {
+            for (k = 0; k < 3; k++) {
+                vd[3 * k + x] = shapes[shape].piece[6 * i + 2 * k];
+                vd[3 * k + y] = shapes[shape].piece[6 * i + 2 * k + 1];
+                vd[3 * k + z] = 0;
+            }
+            (void)shi_polygon_engine(2, SH_SIGNED, 1, pd, 3, vd, 0, one, NULL, &size);
+            for (k = 0; k < 4; k++) want[k] += (long double)one[k];
+            if (fan < size) fan = size;
+        }
+        row_case("shape %d from %d, line %d %d at %g, height %g", shape, from, a, b, along, height);
+        for (side = SH_BOTH; side <= SH_SIGNED; side++) {
+            const int front = want[0] > 0;
+            const long double sign = side == SH_SIGNED || front ? 1 : side == SH_FRONT ? 0 : -1;
+            assert_int_equal(F(sh_polygon)(2, side, p, (size_t)count, v, c, NULL), SH_OK);
+            for (k = 0; k < 4; k++) row_check(w, (long double)c[k], sign * want[k], 1000 * (long double)EPS * ref_M(k > 0) * (long double)fan, k);
+        }
     }
     row_close(w);
 }
