@@ -2158,6 +2158,35 @@ SHI_INLINE int SHI_FN(shi_is_lowest)(const SHI_FN(shi_spiral) *s, int i)
     return 1;
 }
 
+/* Downhill again from about the lowest place found, while that helps: wells closer than samples share one, and the lower may
+ * have been left out. */
+SHI_NOINLINE SHI_T SHI_FN(shi_lowest_about)(int bands, const SHI_T *c, double spacing, SHI_T best, SHI_T where[3])
+{
+    int turn, i, k, found = 1;
+    for (turn = 0; turn < 8 && found; turn++) {
+        const double w[3] = { (double)where[0], (double)where[1], (double)where[2] };
+        const int axis = fabs(w[0]) < fabs(w[1]) ? (fabs(w[0]) < fabs(w[2]) ? 0 : 2) : fabs(w[1]) < fabs(w[2]) ? 1 : 2;
+        double s[3], t[3], size;
+        for (k = 0; k < 3; k++) s[k] = (k == axis) - w[axis] * w[k];
+        size = sqrt(s[0] * s[0] + s[1] * s[1] + s[2] * s[2]);
+        for (k = 0; k < 3; k++) s[k] /= size;
+        for (k = 0; k < 3; k++) t[k] = w[(k + 1) % 3] * s[(k + 2) % 3] - w[(k + 2) % 3] * s[(k + 1) % 3];
+        for (found = 0, i = 0; i < 32 && !found; i++) {
+            static const double turns[8][2] = { { 1, 0 }, { 0, 1 }, { -1, 0 }, { 0, -1 }, { 0.7, 0.7 }, { -0.7, 0.7 }, { -0.7, -0.7 },
+                                                { 0.7, -0.7 } };
+            const double away = spacing * (i < 8 ? 0.8 : i < 16 ? 1.6 : i < 24 ? 3.2 : 0.4);
+            SHI_T u[3], value;
+            for (k = 0; k < 3; k++) u[k] = (SHI_T)(w[k] + away * (turns[i % 8][0] * s[k] + turns[i % 8][1] * t[k]));
+            value = SHI_FN(shi_descend)(bands, c, u);
+            if (!(value < best)) continue;
+            found = best - value > SHI_EPS * (value < 0 ? -value : value);
+            best = value;
+            for (k = 0; k < 3; k++) where[k] = u[k];
+        }
+    }
+    return best;
+}
+
 /* The smallest value and where; or, if `negative` will do, the first one below zero that is found. */
 SHI_NOINLINE SHI_T SHI_FN(shi_lowest)(int bands, const SHI_T *c, int negative, SHI_T where[3])
 {
@@ -2195,7 +2224,7 @@ SHI_NOINLINE SHI_T SHI_FN(shi_lowest)(int bands, const SHI_T *c, int negative, S
             if (negative && best < 0) return best;
         }
     }
-    return best;
+    return SHI_FN(shi_lowest_about)(bands, c, sqrt(2 * SHI_TAU / s.points), best, where);
 }
 
 /* Smallest value of sum c_i Y_i on the sphere, and where.
@@ -2204,7 +2233,8 @@ SHI_NOINLINE SHI_T SHI_FN(shi_lowest)(int bands, const SHI_T *c, int negative, S
  *   dir      [3], a unit vector; NULL or apart from value
  *   value    [1] or NULL
  * Samples 24 bands^2 + 64 points of a spiral and goes downhill from all that have no lower neighbour and lie within a tenth of
- * the range of the lowest: between samples the sum cannot fall further than that (Bernstein's inequality).
+ * the range of the lowest: between samples the sum cannot fall further than that (Bernstein's inequality). Of wells closer to
+ * each other than samples the search goes down one, and into others only about the lowest.
  * Error:  40 eps |coeffs| bands/3.5. */
 SH_API int SHI_FN(sh_minimum)(int bands, const SHI_T *coeffs, SHI_T *dir, SHI_T *value)
 {

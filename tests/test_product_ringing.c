@@ -65,7 +65,7 @@ static long double lowest_of_profile(int bands, const long double *zh)
 int main(void)
 {
     const struct CMUnitTest tests[] = { BOTH_TESTS(windows), BOTH_TESTS(minimum), BOTH_TESTS(rings),
-                                        BOTH_TESTS(dering) };
+                                        BOTH_TESTS(wells),   BOTH_TESTS(dering) };
     return RUN_TESTS(tests);
 }
 
@@ -172,6 +172,55 @@ static void F(rings)(void **state)
         row_check(wd, fminl(0, lowest_of_profile(bands, want)), 0, 40 * (long double)EPS * size, 0);
     }
     row_close(w); row_close(wd);
+}
+
+/* Two wells closer than the search's samples, in a narrow valley: (x^2 - a^2)^2 + p x + y^2 about any axes, whose lowest value
+ * lies on y = 0. */
+static void F(wells)(void **state)
+{
+    static const long double node[5] = { -0.90617984593866399280L, -0.53846931010568309104L, 0, 0.53846931010568309104L,
+                                         0.90617984593866399280L };
+    static const long double weight[5] = { 0.23692688505618908751L, 0.47862867049936646804L, 0.56888888888888888889L,
+                                           0.47862867049936646804L, 0.23692688505618908751L };
+    row *w = row_open("minimum of two wells", PRECISION);
+    int turn, i, j, k;
+    (void)state;
+    for (turn = 0; turn < effort(400); turn++) {
+        const int bands = 5 + turn % 3 * 2, n = bands * bands;
+        const long double a = (long double)ref_log_between(0.04, 0.15), p = (turn & 1 ? 1 : -1) * a * a * a * (long double)ref_between(0.05, 1);
+        double e[3], f[3], d = 0, size = 0;
+        long double sum[81] = { 0 }, y[REF_MAX], norm = 0, x, low;
+        T c[81], value = 0;
+        ref_unit(e);
+        ref_unit(f);
+        for (k = 0; k < 3; k++) d += e[k] * f[k];
+        for (k = 0; k < 3; k++) size += (f[k] - d * e[k]) * (f[k] - d * e[k]);
+        for (k = 0; k < 3; k++) f[k] = (f[k] - d * e[k]) / sqrt(size);
+        for (i = 0; i < 5; i++)                             /* exact for products of degree 8 */
+            for (j = 0; j < 10; j++) {
+                const long double r = sqrtl(1 - node[i] * node[i]), turned = 2 * REF_PI * j / 10;
+                const long double u[3] = { r * cosl(turned), r * sinl(turned), node[i] };
+                long double ue = 0, uf = 0;
+                for (k = 0; k < 3; k++) {
+                    ue += u[k] * (long double)e[k];
+                    uf += u[k] * (long double)f[k];
+                }
+                ref_values(5, u, y);
+                for (k = 0; k < 25; k++)
+                    sum[k] += weight[i] * REF_PI / 5 * y[k] * ((ue * ue - a * a) * (ue * ue - a * a) + p * ue + uf * uf);
+            }
+        for (k = 0; k < n; k++) {
+            c[k] = (T)sum[k];
+            norm += sum[k] * sum[k];
+        }
+        x = p > 0 ? -a : a;
+        for (i = 0; i < 60; i++) x -= (4 * x * (x * x - a * a) + p) / (12 * x * x - 4 * a * a);
+        low = (x * x - a * a) * (x * x - a * a) + p * x;
+        row_case("bands %d, a %g, p %g, turn %d", bands, (double)a, (double)p, turn);
+        assert_int_equal(F(sh_minimum)(bands, c, NULL, &value), SH_OK);
+        row_check(w, (long double)value, low, 40 * (long double)EPS * sqrtl(norm) * bands / 3.5L, 0);
+    }
+    row_close(w);
 }
 
 /* A sky brighter towards the horizon, a dark ground, and a sun of half a degree 50000 times the sky. */
