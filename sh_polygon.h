@@ -5062,10 +5062,10 @@ SHI_NOINLINE int shi_polygon_engine(int bands, int sides, int tight, const doubl
     const int size = bands * bands, planes = grad ? SH_GRADIENT : SH_VALUES;
     double totals[SHI_TOTALS(SH_MAX_POLYGON_BANDS)], out[4 * SH_MAX_POLYGON_BANDS * SH_MAX_POLYGON_BANDS];
     double s[(SH_MAX_POLYGON_BANDS + 1) * (SH_MAX_POLYGON_BANDS + 2)], t[(SH_MAX_POLYGON_BANDS + 1) * (SH_MAX_POLYGON_BANDS + 2)];
-    double spread = 0, signed_sum = 0, volume = 0, area[3] = { 0, 0, 0 }, normal[3] = { 0, 0, 0 }, sign, omega = 0, plane_turn = 0, least = 4;
+    double spread = 0, signed_sum = 0, volume = 0, area[3] = { 0, 0, 0 }, normal[3] = { 0, 0, 0 }, sign, omega = 0, least = 4;
     shi_scene scene;
     shi_sink sink;
-    shi_two first[3];
+    shi_two first[3], plane_turn = { 0, 0 };
     shi_arc e;
     size_t i;
     int k, l, status = SH_OK, flat = 1, empty = 1, on_edge = 0, side = 0, edges;
@@ -5146,7 +5146,7 @@ SHI_NOINLINE int shi_polygon_engine(int bands, int sides, int tight, const doubl
             if (shi_scene_arc(&scene, i, &e) != 1) continue;
             if (have) {
                 shi_cross3(before, e.mu, c);
-                plane_turn += atan2(shi_dot3(e.w, c), shi_dot3(before, e.mu));
+                plane_turn = shi_two_add(plane_turn, shi_two_sum(atan2(shi_dot3(e.w, c), shi_dot3(before, e.mu)), 0));
             }
             for (k = 0; k < 3; k++) {
                 before[k] = e.mu[k];
@@ -5168,10 +5168,14 @@ SHI_NOINLINE int shi_polygon_engine(int bands, int sides, int tight, const doubl
         }
         if (have) {
             shi_cross3(before, start, c);
-            plane_turn += atan2(shi_dot3(corner, c), shi_dot3(before, start));
+            plane_turn = shi_two_add(plane_turn, shi_two_sum(atan2(shi_dot3(corner, c), shi_dot3(before, start)), 0));
         }
         /* exterior angles give the solid angle modulo 2 pi, the fan tells which; the fan alone is poor near its sides' planes */
-        omega = least > 0.25 ? signed_sum : -plane_turn + turn * floor((signed_sum + plane_turn) / turn + 0.5);
+        omega = signed_sum;
+        if (least <= 0.25) {
+            const double turns = floor((signed_sum + plane_turn.h) / turn + 0.5);
+            omega = (turn * turns - plane_turn.h) + (2.4492935982947064e-16 * turns - plane_turn.l);   /* 2 pi to 32 digits */
+        }
     } else {
         const int nt = grad ? bands + 1 : 0, used = bands * (bands + 1);
         int m;
@@ -6033,7 +6037,7 @@ SHI_INLINE int SHI_FN(shi_zonal_point)(const SHI_FN(shi_polygon_lights) *o, int 
     for (k = 0; k < 3; k++) point[k] = (double)x[k];
     for (g = 0; g < o->count; v += 3 * counts[g++]) {
         const SHI_T r = radiance ? radiance[g] : SHI_C(1);
-        double omega, signed_omega, c[1];
+        double omega, signed_omega, c[1], either[1];
         SHI_T f;
         shi_scene scene;
         int one = shi_polygon_engine(1, SH_SIGNED, 0, point, (size_t)counts[g], v, SHI_BITS == 32, c, NULL, &omega);
@@ -6048,9 +6052,12 @@ SHI_INLINE int SHI_FN(shi_zonal_point)(const SHI_FN(shi_polygon_lights) *o, int 
             for (l = 0; planes == SH_GRADIENT && l < 3 * size; l++) extra[size + l] += (double)r * grad[l];
             continue;
         }
-        signed_omega = c[0] * SHI_ROOT_FOUR_PI; /* positive in front, where the edges count negative */
-        if (sides == SH_FRONT && signed_omega < 0) continue;
-        f = sides == SH_SIGNED || signed_omega > 0 ? -r : r;
+        signed_omega = c[0] * SHI_ROOT_FOUR_PI; /* positive in front, where the edges count negative ... */
+        either[0] = signed_omega < 0 ? -c[0] : c[0];
+        if (counts[g] > 3 && sides != SH_SIGNED)            /* ... unless it crosses itself: the engine knows */
+            shi_polygon_engine(1, SH_BOTH, 0, point, (size_t)counts[g], v, SHI_BITS == 32, either, NULL, NULL);
+        if (sides == SH_FRONT && either[0] != c[0]) continue;
+        f = sides == SH_SIGNED || either[0] == c[0] ? -r : r;
         shi_scene_open(&scene, point, (size_t)counts[g], v, SHI_BITS == 32);
         for (i = 0; i < (size_t)counts[g]; i++) {
             double exact[14];

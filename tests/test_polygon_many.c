@@ -110,6 +110,7 @@ int main(void)
                                     BOTH_TESTS(statuses),    BOTH_TESTS(zonal),        BOTH_TESTS(route),
                                     BOTH_TESTS(sphere),      BOTH_TESTS(sphere_cases), BOTH_TESTS(within),
                                     BOTH_TESTS(texture),     BOTH_TESTS(many_sided),   BOTH_TESTS(bent),
+                                    BOTH_TESTS(bow_tie),
                                     BOTH_TESTS(within_far) };
     return RUN_TESTS(t);
 }
@@ -696,6 +697,33 @@ static void F(bent)(void **state)
         assert_true((double)one[SH_BOTH][0] > -1e-12);
         assert_true(one[SH_FRONT][0] == 0 || one[SH_FRONT][0] == one[SH_BOTH][0]);
         assert_true(one[SH_SIGNED][0] == one[SH_BOTH][0] || one[SH_SIGNED][0] == -one[SH_BOTH][0]);
+    }
+    row_close(w);
+}
+
+/* A polygon that crosses itself: its side is that of its signed area in every call, from where the smaller lobe fills more of
+ * the view too. */
+static void F(bow_tie)(void **state)
+{
+    row *w = row_open("bow tie, three calls", PRECISION);
+    const int four = 4;
+    int turn, side, i;
+    (void)state;
+    for (turn = 0; turn < effort(600); turn++) {
+        const T cut = (T)ref_between(0.2, 0.8);
+        const T v[12] = { 0, 0, 0, 2, 1, 0, 2, 0, 0, 0, cut, 0 };
+        const T p[3] = { (T)ref_between(-1, 3), (T)ref_between(-1, 2), (T)((turn & 1 ? 1 : -1) * ref_between(0.05, 1)) };
+        for (side = SH_BOTH; side <= SH_SIGNED; side++) {
+            T one[25], many[25], zonal[25];
+            assert_int_equal(F(sh_polygon)(5, side, p, 4, v, one, NULL), SH_OK);
+            assert_int_equal(F(sh_polygons)(5, SH_VALUES, 1, side, p, 1, &four, v, NULL, many), SH_OK);
+            assert_int_equal(F(sh_polygons_zonal_n)(5, SH_VALUES, 1, side, 1, p, 1, &four, v, NULL, zonal), SH_OK);
+            row_case("turn %d, side %d", turn, side);
+            for (i = 0; i < 25; i++) {
+                row_check(w, (long double)many[i], (long double)one[i], 400 * (long double)EPS * ref_M(ref_band(i)), i);
+                row_check(w, (long double)zonal[i], (long double)one[i], 24 * (long double)EPS * ref_M(ref_band(i)) * (2 + 8), i);
+            }
+        }
     }
     row_close(w);
 }
