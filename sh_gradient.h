@@ -43,7 +43,7 @@
  *     denormal or overflowing geometry: lengths from 1e-18 to 1e18 in float (1e-150 .. 1e150 in double); the bounds hold
  *     for results that are not denormal
  *     bit-identity between instruction sets or compilers; within one build, -ffast-math aside, a batch has the bits of
- *     its single items
+ *     its single items (sums of polygons: to rounding)
  *
  * SOURCES
  *     M22   Mezieres et al. 2022, spherical lights and SH gradients (equation numbers are theirs)

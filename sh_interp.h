@@ -578,7 +578,8 @@ SHI_NOINLINE int SHI_FN(shi_grid_call)(const SHI_FN(shi_query) *c)
  *   nodes      [nodes][channels][planes][N], the layout of sh_spheres_grid
  *   scheme     enum sh_scheme
  *   outside    SH_CLAMP: a point outside of the grid gets the coefficients of the nearest point inside;
- *              SH_EXTRAPOLATE: the border cell's polynomial, up to 1024 cells out and clamped there
+ *              SH_EXTRAPOLATE: the border cell's polynomial, up to 1024 cells out and clamped there; the weights of Hermite
+ *              schemes that far out times a cell must be in the range of T
  *   points     [count][3], any finite points
  *   coeffs     [count][channels][N], overlapping no input
  * Status SH_ERROR_NOT_FINITE: a point is not, its outputs are untouched, those of the others are written.
@@ -758,7 +759,7 @@ SHI_NOINLINE int SHI_FN(shi_samples)(int bands, int planes, int channels, SHI_T 
  *   point     [3]
  * At a sample the blend is that sample, to the bit (Eq. 16 is 0/0 there), if all data are finite; samples in one place
  * share its weight. Polynomials of the samples' order are reproduced. Cost: count * planes reads of N numbers, so choose few.
- * Error:  <= (16 + count/64) eps of the largest |f_j| + |g_j| |d_j| + |H_j| |d_j|^2/2, 2-norms.
+ * Error:  <= (12 + 2 power + count/64) eps of the largest |f_j| + |g_j| |d_j| + |H_j| |d_j|^2/2, 2-norms.
  * Source: A04 Eq. 14-16. */
 SH_API int SHI_FN(sh_samples_blend)(int bands, int planes, int channels, SHI_T power, size_t count,
                                     const SHI_T *samples, const SHI_T *blocks, const SHI_T point[3], SHI_T *coeffs)

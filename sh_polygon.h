@@ -5869,7 +5869,8 @@ SHI_INLINE int SHI_FN(shi_polygons)(const SHI_FN(shi_polygon_lights) *o, SHI_T *
  *                            edges, and further
  * The last is an absolute error: a light of solid angle Omega has a relative one of p/(2 Omega) times as many eps, all digits of
  * it in float for a needle of 1:1000 nearer than ten times its length and lower than 1e-3 over its plane. Next to a light that
- * fills the view it does not count; for a light that must be right by itself there is sh_polygon.
+ * fills the view it does not count; for a light that must be right by itself there is sh_polygon. A needle seen end-on has
+ * a smaller p than its rounded heights deserve: 15 times the last was seen.
  * Stack: up to 120 KiB to 10 bands, 250 KiB beyond, in either precision. One channel costs least; three share a pass.
  * Source: as sh_polygon; small lights by rules of degree 1 to 18 over the fan, chosen by bands times angular diameter. */
 SH_API int SHI_FN(sh_polygons_n)(int bands, int planes, int channels, int sides, size_t points, const SHI_T *point,
@@ -6091,9 +6092,9 @@ SHI_INLINE int SHI_FN(shi_zonal_point)(const SHI_FN(shi_polygon_lights) *o, int 
 /* sh_polygons_n by WR18's own route: zonal integrals of all polygons about 2b-1 fixed lobes, then the sparse
  * rotation (weights) once per point and plane. Same parameters, layout, sides and degenerate cases.
  * Kept as the published method in its robust form: sh_polygons_n is faster and holds small lights.
- * Error per polygon of radiance 1:  24 eps M_l (2 + p), gradient 128 eps M_l k, p and k as in sh_polygons_n:
- *                                   absolute, so that
- *         relative accuracy falls with the square of size/distance (100 % at 1e-4 in float).
+ * Error per polygon of radiance 1:  24 eps M_l (2 + p), gradient eps M_l (128 k + sum over edges of 8/r), p and k as in
+ *         sh_polygons_n, r the distance of the edge's line: absolute, so that relative accuracy falls with the square of
+ *         size/distance (100 % at 1e-4 in float).
  * Source: WR18 Algorithm 1, Eq. 20-33; lobes and weights by tools/gen_lobes.py. */
 SH_API int SHI_FN(sh_polygons_zonal_n)(int bands, int planes, int channels, int sides, size_t points, const SHI_T *point,
                                        size_t polygons, const int *counts, const SHI_T *vertices, const SHI_T *radiance,

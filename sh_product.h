@@ -120,8 +120,11 @@ SHI_INLINE void shi_zonal_scale(int bands, double *zh)
 SHI_INLINE void shi_zonal_power(int bands, double s, double *zh)
 {
     int l;
-    for (l = 0; l < bands; l++)
-        zh[l] = l == 0 ? 1 / (s + 1) : l == 1 ? 1 / (s + 2) : zh[l - 2] * (s - (l - 2)) / (s + l + 1);
+    for (l = 0; l < bands; l++) {
+        const double less = (2 * l - 1) / (s + l + 1);      /* one rounding a step where it is small, not four */
+        zh[l] = l == 0 ? 1 / (s + 1) : l == 1 ? 1 / (s + 2)
+              : less < 0.5 ? zh[l - 2] - zh[l - 2] * less : zh[l - 2] * (s - (l - 2)) / (s + l + 1);
+    }
     shi_zonal_scale(bands, zh);
 }
 

@@ -497,7 +497,7 @@ static void F(route)(void **state)
     for (i = 0; i < effort(300); i++) {
         T v[36], p[3], out[2048], radiance[4] = { 1, 2, (T)0.5, (T)0.25 };
         double sum[256], slope[768], c[256], g[768];
-        long double perimeter = 0, kappa = 0;
+        long double perimeter = 0, kappa = 0, lines = 0;
         int counts[2], j, at = 0, bad = 0;
         n = 1 + i % 16;
         memset(sum, 0, sizeof sum);
@@ -506,7 +506,8 @@ static void F(route)(void **state)
             long double one, edge, nearest, size;
             double vd[18], pd[3];
             T q[3];
-            counts[j] = F(make)(v + 3 * at, j ? q : p, (i + j) % 5, ref_between(0.2, 1), ref_between(0.2, 1));
+            counts[j] = F(make)(v + 3 * at, j ? q : p, (i + j) % 5, i % 4 ? ref_between(0.2, 1) : ref_log_between(1e-4, 0.2),
+                                ref_between(0.2, 1));
             if (j == 0 && i % 3 == 2) {                     /* nearly in line with an edge, which is seen end-on */
                 const double away = ref_between(0.1, 3);
                 for (k = 0; k < 3; k++)
@@ -517,6 +518,18 @@ static void F(route)(void **state)
             F(measure)(v + 3 * at, p, counts[j], &one, &edge, &nearest, &size);
             perimeter += one;
             kappa += edge;
+            for (k = 0; k < counts[j]; k++) {               /* distances of the edges' lines */
+                const double *const from = vd + 3 * k, *const to = vd + 3 * ((k + 1) % counts[j]);
+                long double d[3], r[3], dd = 0, rd = 0, rr = 0;
+                for (a = 0; a < 3; a++) {
+                    d[a] = (long double)to[a] - (long double)from[a];
+                    r[a] = (long double)from[a] - (long double)pd[a];
+                    dd += d[a] * d[a];
+                    rd += r[a] * d[a];
+                    rr += r[a] * r[a];
+                }
+                lines += 1 / sqrtl(fmaxl(rr - rd * rd / dd, 1e-30L));
+            }
             if (nearest < 0.02L) bad = 1;
             if (shi_polygon_engine(n, i % 3, 1, pd, (size_t)counts[j], vd, 0, c, g, NULL)) bad = 1;
             for (k = 0; k < n * n; k++) sum[k] += (double)radiance[j] * c[k];
@@ -533,7 +546,7 @@ static void F(route)(void **state)
                       24 * (long double)EPS * ref_M(l) * (2 + perimeter), k);
             for (a = 0; a < 3; a++)
                 row_check(gradient, (long double)out[(a + 1) * n * n + k], (long double)slope[a * n * n + k],
-                          128 * (long double)EPS * ref_M(l) * kappa, (a + 1) * n * n + k);
+                          (long double)EPS * ref_M(l) * (128 * kappa + 8 * lines), (a + 1) * n * n + k);
         }
     }
     row_close(values);
