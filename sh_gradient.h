@@ -12,7 +12,7 @@
  *     planes     [1][N] value; [3][N] d/dx d/dy d/dz; [6][N] xx xy xz yy yz zz
  *     light      unit radiance unless a radiance is passed
  *
- * FUNCTIONS                                           one item; _n many, plain layout; _blocks many, blocked
+ * FUNCTIONS (search for SHI_FN(sh_eval))               one item; _n many, plain layout; _blocks many, blocked
  *     sh_eval, _n, _blocks                            basis values
  *     sh_eval_grad, _n, _blocks                       ... and Cartesian gradient, no pole, any length of v
  *     sh_eval_hessian, _n, _blocks                    ... and Hessian
@@ -35,7 +35,7 @@
  *     SH_API                storage of public functions              [static inline]
  *     SH_VECTOR_BYTES       0, 16, 32: register width                [widest the compiler targets]
  *     SH_WIDE_BYTES         the same or 64: width for sums           [64 with AVX-512F]
- *     SH_UNROLLED_BANDS     1..10: bodies unrolled up to this band count; smaller is less code     [10]
+ *     SH_UNROLLED_BANDS     1..10: bodies unrolled up to this band count; smaller is less code where it is a variable [10]
  *     SH_GRADIENT_FILENAME  the name this file has in your tree      ["sh_gradient.h"]
  *     The widths follow the compiler's target; fused multiply-add needs -ffp-contract=fast (GCC's default in GNU dialects).
  *
@@ -3597,7 +3597,7 @@ SH_API int SHI_FN(sh_sphere)(int bands, const SHI_T point[3], const SHI_T center
  *   planes    SH_VALUES, SH_GRADIENT or SH_HESSIAN
  *   channels  >= 1
  *   point     [points][3]
- *   spheres   [4][count]: x, y, z, radius >= 0; count 0 gives zeros
+ *   spheres   [4][count]: every x, then every y, z, and radius >= 0; count 0 gives zeros
  *   radiance  [channels][count] of either sign, or NULL: 1
  *   out       [points][channels][planes][N]; for one channel and SH_GRADIENT: values, d/dx, d/dy, d/dz
  * Status SH_INSIDE when a point is on or inside a light, which then adds 2 sqrt(pi) to L_00 and nothing to derivatives.

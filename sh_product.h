@@ -25,7 +25,7 @@
  *
  * ERROR       eps and M_l as in sh_gradient.h; c = the input vector, |.| its 2-norm, worst over the output: rotation and cosine
  *             products 16 eps |c| to 6 bands, 40 eps |c| to 16; triple product the same with |a| |b|. Worst seen is
- *             1.8 eps |c| (docs/products.md); `make test` prints it.
+ *             3.1 eps |c| (docs/products.md); `make test` prints it.
  *
  * SOURCES     MP21  Mezieres, Paulin, Efficient spherical harmonic shading for separable BRDF (2021)
  *             KSS02 Kautz, Sloan, Snyder, Fast, arbitrary BRDF shading (2002): rotation as zxzxz

@@ -26,13 +26,19 @@ static double error_at(const double *shape, int call, double ratio, double sine)
         const double azimuth = 0.7 + 2.1 * turn, side = distance * sqrt(1 - sine * sine);
         const int count = 3;
         double exact[SIZE], x[3], w[9], sum = 0, norm = 0;
+        volatile float p0, v0;      /* gcc 12 drops the rounding of a (double)(float) chain it vectorises */
         float p[3], v[9], got[SIZE];
         p[0] = (float)(side * cos(azimuth));
         p[1] = (float)(side * sin(azimuth));
         p[2] = (float)(distance * sine);
-        for (i = 0; i < 9; i++) v[i] = (float)(scale * shape[i]);
-        for (i = 0; i < 9; i++) w[i] = (double)v[i];
-        for (i = 0; i < 3; i++) x[i] = (double)p[i];
+        for (i = 0; i < 9; i++) {
+            v[i] = v0 = (float)(scale * shape[i]);
+            w[i] = (double)v0;
+        }
+        for (i = 0; i < 3; i++) {
+            p0 = p[i];
+            x[i] = (double)p0;
+        }
         sh_polygon_f64(BANDS, SH_BOTH, x, 3, w, exact, NULL);
         if (call == 0) sh_polygon_f32(BANDS, SH_BOTH, p, 3, v, got, NULL);
         if (call == 1) sh_polygons_n_f32(BANDS, SH_VALUES, 1, SH_BOTH, 1, p, 1, &count, v, NULL, got);
