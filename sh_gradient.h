@@ -2964,15 +2964,15 @@ SHI_NOINLINE int SHI_FN(shi_batch)(int n, int planes, size_t count, const SHI_T 
 SHI_INLINE void SHI_FN(shi_cap)(int n, SHI_T s, SHI_T alpha, SHI_T i, SHI_T *f, SHI_T *f1, SHI_T *f2)
 {
     const SHI_T tau = SHI_C(SHI_TAU), s2 = s * s, q = s2 * i / alpha, kappa = s2 / (1 + alpha);
-    SHI_T p = 1, step = 0, slope = 0;                           /* P_l, P_l - P_{l-1}, P_l' */
+    SHI_T p = 1, fall = 0, slope = 0;                           /* P_l, P_{l-1} - P_l, P_l' */
     int l;
     for (l = 0; l < n; l++) {
         if (l > 0) {
             slope = slope + (SHI_C(l) * p - kappa * slope);
-            step = (SHI_C(l - 1) * step - SHI_C(2 * l - 1) * (kappa * p)) / SHI_C(l);
-            p = p + step;
+            fall = SHI_ONE(shi_fall)(SHI_FN(shi_ratio)[SHI_ROWS(l, 0)], kappa, p, fall);
+            p = p - fall;
         }
-        f[l] = l ? tau * s2 * slope / SHI_C(l * (l + 1)) : tau * kappa;
+        f[l] = l ? tau * s2 * slope * SHI_FN(shi_profile)[SHI_PROFILE * l + 4] : tau * kappa;       /* 1/(l (l+1)) */
         f1[l] = i > 0 ? -tau * p * q : tau * p * s;
         f2[l] = i > 0 ? tau * (p * (3 * q * i + q * q / alpha) - slope * q * q) : 0;
     }
@@ -2985,28 +2985,30 @@ SHI_NOINLINE int SHI_FN(shi_symmetric)(int n, const SHI_T v[3], const SHI_T *f, 
     SHI_T gradient[3 * SH_MAX_BANDS * SH_MAX_BANDS], u[4], i, scaled[3];
     const SHI_T up = h && v[0] * v[0] + v[1] * v[1] + v[2] * v[2] < SHI_C(1e-20) ? SHI_C(1152921504606846976.0) : 1;   /* 2^60 */
     const int size = n * n;
-    int l, m, k, j, p;
+    int l, k, j, p;
     if (h && !g) g = gradient;
     for (k = 0; k < 3; k++) scaled[k] = up * v[k];              /* the basis' Hessian at v could overflow, f times that not */
     if (!SHI_ONE(shi_unit)(v, 1, u, &i)
         || !(h ? SHI_MANY(shi_single_hessian)(n, scaled, c, g, h) : g ? SHI_MANY(shi_single_gradient)(n, v, c, g)
                                                                   : SHI_MANY(shi_single_values)(n, v, c)))
         return SHI_FN(shi_direction_status)(v);
-    for (l = 0; l < n; l++)
-        for (m = -l; m <= l; m++) {
-            const int at = l * (l + 1) + m;
-            const SHI_T y = c[at];
-            SHI_T d[3];
-            for (k = 0; k < 3 && g; k++) d[k] = up * g[k * size + at];
-            for (k = 0, p = 0; k < 3 && h; k++)
+    for (l = 0; l < n; l++) {
+        const SHI_T by_u[3] = { f1[l] * u[0], f1[l] * u[1], f1[l] * u[2] }, by_y = f[l], by_d = up * f[l];
+        const int end = (l + 1) * (l + 1);
+        int at;
+        for (at = l * l; at < end && h; at++) {
+            const SHI_T y = c[at], d[3] = { up * g[at], up * g[size + at], up * g[2 * size + at] };
+            for (k = 0, p = 0; k < 3; k++)
                 for (j = k; j < 3; j++, p++) {
                     SHI_T *const x = h + p * size + at;
                     *x = f2[l] * y * u[k] * u[j] + f1[l] * (i * y * ((k == j) - u[k] * u[j]) + (u[k] * d[j] + d[k] * u[j]))
                        + f[l] * *x * up * up;
                 }
-            for (k = 0; k < 3 && g; k++) g[k * size + at] = -(f1[l] * y * u[k] + f[l] * d[k]);
-            c[at] = f[l] * y;
         }
+        for (k = 0; k < 3 && g; k++)
+            for (at = l * l; at < end; at++) g[k * size + at] = -(by_u[k] * c[at] + by_d * g[k * size + at]);
+        for (at = l * l; at < end; at++) c[at] = by_y * c[at];
+    }
     return SH_OK;
 }
 
