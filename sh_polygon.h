@@ -3627,17 +3627,17 @@ static const double shi_weights_16[7936] = {
 /* END tools/gen_lobes.py */
 
 /* nodes that integrate cos(x t) over [-1,1] to 2e-10, 1e-17 or 6e-8 of its length, for x below the limit */
+static const double shi_gauss_limit[3][16] = {
+    { 3.4e-5, 0.015, 0.135, 0.437, 0.932, 1.58, 2.37, 3.29,
+      4.31, 5.37, 6.55, 7.76, 9.01, 10.2, 11.6, 13.0 },
+    { 7e-9, 2.2e-4, 8.1e-3, 0.053, 0.173, 0.388, 0.712, 1.13,
+      1.67, 2.28, 2.98, 3.75, 4.62, 5.53, 6.49, 7.46 },
+    { 5.9e-4, 0.063, 0.347, 0.881, 1.62, 2.56, 3.59, 4.74,
+      5.89, 7.19, 8.59, 9.87, 11.3, 12.7, 14.3, 15.8 } };
 SHI_INLINE int shi_gauss_count(double x, int tight)
 {
-    static const double limit[3][16] = {
-        { 3.4e-5, 0.015, 0.135, 0.437, 0.932, 1.58, 2.37, 3.29,
-          4.31, 5.37, 6.55, 7.76, 9.01, 10.2, 11.6, 13.0 },
-        { 7e-9, 2.2e-4, 8.1e-3, 0.053, 0.173, 0.388, 0.712, 1.13,
-          1.67, 2.28, 2.98, 3.75, 4.62, 5.53, 6.49, 7.46 },
-        { 5.9e-4, 0.063, 0.347, 0.881, 1.62, 2.56, 3.59, 4.74,
-          5.89, 7.19, 8.59, 9.87, 11.3, 12.7, 14.3, 15.8 } };
     int k = 1;
-    while (k <= 16 && x > limit[tight][k - 1]) k++;
+    while (k <= 16 && x > shi_gauss_limit[tight][k - 1]) k++;
     return k;
 }
 /* node i of the n-point rule on [0,1] */
@@ -3870,8 +3870,8 @@ SHI_NOINLINE void SHI_FN(shi_make_rules)(SHI_FN(shi_rules) *r)
 
 /* Sums over directions of q_l^m(z) U_m and q_l^m(z) V_m, with sh_gradient.h's monic q and (U + iV) = (-x - iy)^m: a basis
  * without its norms. Packed by columns: m first, then l = m .. n-1, then U, V; n bands take n(n+1) entries. */
-#define SHI_COLUMN(n, m)   ((m) * (2 * (n) - (m) + 1))
-#define SHI_PACKED(n, l, m) (SHI_COLUMN(n, m) + 2 * ((l) - (m)))
+#define SHI_PACKED_COLUMN(n, m)   ((m) * (2 * (n) - (m) + 1))
+#define SHI_PACKED(n, l, m) (SHI_PACKED_COLUMN(n, m) + 2 * ((l) - (m)))
 
 enum { SHI_KN(shi_polygon_lanes) = SHI_W };
 
@@ -4033,8 +4033,8 @@ SHI_INLINE void SHI_KN(shi_polygon_finish)(int n, int planes, int surface, const
     const int size = n * n, step = n * (n + 1), one = n * (n - 1), two = 2 * one;
     int l, m, sine, k;
     for (m = 0; m < n; m++) {
-        const SHI_V *to = slope + SHI_COLUMN(n, m), *low = totals + SHI_FLUX_AT(n) + (m ? SHI_COLUMN(n - 1, m - 1) : 0);
-        const SHI_V *same = totals + SHI_FLUX_AT(n) + SHI_COLUMN(n - 1, m), *high = same + 2 * (n - 1 - m);
+        const SHI_V *to = slope + SHI_PACKED_COLUMN(n, m), *low = totals + SHI_FLUX_AT(n) + (m ? SHI_PACKED_COLUMN(n - 1, m - 1) : 0);
+        const SHI_V *same = totals + SHI_FLUX_AT(n) + SHI_PACKED_COLUMN(n - 1, m), *high = same + 2 * (n - 1 - m);
         for (l = m; l < n; l++) {
             const SHI_T norm = SHI_FN(shi_norm)[SHI_ROWS(l, m)], p = norm * part[l];
             SHI_V *const o = out + l * (l + 1);
@@ -4213,16 +4213,11 @@ SHI_KERNEL SHI_V SHI_KN(shi_polygon_arc)(const SHI_KN(shi_seen) *p, const SHI_KN
 SHI_KERNEL void SHI_KN(shi_polygon_arc_sums)(int n, int ns, int nt, const SHI_KN(shi_arc_seen) *arc, SHI_M wide, SHI_V *s,
                                              SHI_V *t)
 {
-    static const SHI_T limit[8] = {                         /* shi_gauss_count's, of 2, 4 .. 16 nodes */
-#if SHI_BITS == 32
-        SHI_C(0.063), SHI_C(0.881), SHI_C(2.56), SHI_C(4.74), SHI_C(7.19), SHI_C(9.87), SHI_C(12.7), SHI_C(15.8) };
-#else
-        SHI_C(2.2e-4), SHI_C(0.053), SHI_C(0.388), SHI_C(1.13), SHI_C(2.28), SHI_C(3.75), SHI_C(5.53), SHI_C(7.46) };
-#endif
+    const double *const limit = shi_gauss_limit[SHI_BITS == 64 ? 1 : 2];
     const SHI_V half = arc->half, reach = SHI_SELECT(wide, SHI_C(n) * half, SHI_SPLAT(0));
     SHI_V node[SHI_KN(shi_nodes_at_once) * 5];
     int pairs = 1, panels = 1, fill = 0, p, j, k;
-    while (SHI_ANY((SHI_M)(reach > SHI_SPLAT(SHI_C(panels) * limit[pairs - 1])))) {
+    while (SHI_ANY((SHI_M)(reach > SHI_SPLAT(SHI_C(panels * limit[2 * pairs - 1]))))) {
         if (pairs < 8) pairs++;
         else panels *= 2;
     }
@@ -5053,7 +5048,7 @@ SHI_INLINE int shi_scene_between(const shi_scene *scene)
     return front && back;
 }
 
-/* Coefficients (and gradient, if grad) in double, of exact positions. tight: 0 leaves 2e-10, 1 leaves 1e-16.
+/* Coefficients (and gradient, if grad) in double, of exact positions. tight as in shi_gauss_count.
  * fan_size, if not NULL, receives the sum of |solid angle| over the fan of vertex 0. */
 SHI_NOINLINE int shi_polygon_engine(int bands, int sides, int tight, const double point[3], size_t count, const void *vertices,
                                     int floats, double *coeffs, double *grad, double *fan_size)
@@ -5829,7 +5824,7 @@ SHI_INLINE int SHI_FN(shi_polygons_with)(const SHI_FN(shi_polygon_lights) *o, SH
     }
     return status;
 }
-/* the stack follows the band count */
+/* less stack to 10 bands */
 SHI_NOINLINE int SHI_FN(shi_polygons_10)(const SHI_FN(shi_polygon_lights) *o, SHI_T *out)
 {
     SHI_MANY(shi_vector) work[SHI_POLYGON_WORK(10)];
@@ -5871,7 +5866,7 @@ SHI_INLINE int SHI_FN(shi_polygons)(const SHI_FN(shi_polygon_lights) *o, SHI_T *
  * it in float for a needle of 1:1000 nearer than ten times its length and lower than 1e-3 over its plane. Next to a light that
  * fills the view it does not count; for a light that must be right by itself there is sh_polygon. A needle seen end-on has
  * a smaller p than its rounded heights deserve: 15 times the last was seen.
- * Stack: up to 120 KiB to 10 bands, 250 KiB beyond, in either precision. One channel costs least; three share a pass.
+ * Stack: up to 185 KiB to 10 bands, 315 KiB beyond, in either precision. One channel costs least; three share a pass.
  * Source: as sh_polygon; small lights by rules of degree 1 to 18 over the fan, chosen by bands times angular diameter. */
 SH_API int SHI_FN(sh_polygons_n)(int bands, int planes, int channels, int sides, size_t points, const SHI_T *point,
                                  size_t polygons, const int *counts, const SHI_T *vertices, const SHI_T *radiance, SHI_T *out)

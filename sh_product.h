@@ -21,7 +21,7 @@
  *
  * DOES NOT    allocate, keep state, print. Arrays need no alignment. In and out may be the same array, or must not overlap
  *             (SH_ERROR_OVERLAP). NaN and Inf in coefficients go through; in geometry (and in sh_dering) they are an error.
- *             Stack, f64 (f32: half): triple product 50 KB, sh_minimum and sh_dering 130 KB, the others 27 KB at most.
+ *             Stack, f64 (f32): triple product 52 KiB (35), sh_minimum and sh_dering 130 KiB (70), the others 27 KiB at most.
  *
  * ERROR       eps and M_l as in sh_gradient.h; c = the input vector, |.| its 2-norm, worst over the output: rotation and cosine
  *             products 16 eps |c| to 6 bands, 40 eps |c| to 16; triple product the same with |a| |b|. Worst seen is
@@ -53,15 +53,15 @@ enum { SH_HANN = 1, SH_LANCZOS = 2, SH_GAUSS = 3 };     /* windows */
 enum { SHI_KEPT = 1024, SHI_CHUNK = 64 };   /* samples that sh_minimum keeps, and takes at once */
 
 /* Cases of a switch over n that call body(n, ...) with n a constant: its loops unroll, and what hangs on n is decided. */
-#define SHI_FIXED(n, body, ...) case n: body(n, __VA_ARGS__); break;
-#define SHI_FIXED_1_TO_8(body, ...) \
-    SHI_FIXED(1, body, __VA_ARGS__) SHI_FIXED(2, body, __VA_ARGS__) SHI_FIXED(3, body, __VA_ARGS__) \
-    SHI_FIXED(4, body, __VA_ARGS__) SHI_FIXED(5, body, __VA_ARGS__) SHI_FIXED(6, body, __VA_ARGS__) \
-    SHI_FIXED(7, body, __VA_ARGS__) SHI_FIXED(8, body, __VA_ARGS__)
-#define SHI_FIXED_9_TO_16(body, ...) \
-    SHI_FIXED(9, body, __VA_ARGS__) SHI_FIXED(10, body, __VA_ARGS__) SHI_FIXED(11, body, __VA_ARGS__) \
-    SHI_FIXED(12, body, __VA_ARGS__) SHI_FIXED(13, body, __VA_ARGS__) SHI_FIXED(14, body, __VA_ARGS__) \
-    SHI_FIXED(15, body, __VA_ARGS__) SHI_FIXED(16, body, __VA_ARGS__)
+#define SHI_CASE(n, body, ...) case n: body(n, __VA_ARGS__); break;
+#define SHI_CASES_1_TO_8(body, ...) \
+    SHI_CASE(1, body, __VA_ARGS__) SHI_CASE(2, body, __VA_ARGS__) SHI_CASE(3, body, __VA_ARGS__) \
+    SHI_CASE(4, body, __VA_ARGS__) SHI_CASE(5, body, __VA_ARGS__) SHI_CASE(6, body, __VA_ARGS__) \
+    SHI_CASE(7, body, __VA_ARGS__) SHI_CASE(8, body, __VA_ARGS__)
+#define SHI_CASES_9_TO_16(body, ...) \
+    SHI_CASE(9, body, __VA_ARGS__) SHI_CASE(10, body, __VA_ARGS__) SHI_CASE(11, body, __VA_ARGS__) \
+    SHI_CASE(12, body, __VA_ARGS__) SHI_CASE(13, body, __VA_ARGS__) SHI_CASE(14, body, __VA_ARGS__) \
+    SHI_CASE(15, body, __VA_ARGS__) SHI_CASE(16, body, __VA_ARGS__)
 
 /* Entries of band l in the table of swaps. */
 SHI_INLINE int shi_swap_size(int l)
@@ -1064,7 +1064,7 @@ SHI_KERNEL void SHI_KN(shi_prod_square_of)(const int n, const SHI_T *k, SHI_V *d
 SHI_NOINLINE void SHI_KN(shi_prod_square)(int n, const SHI_T *k, SHI_V *d, int step)
 {
     switch (n) {
-        SHI_FIXED_1_TO_8(SHI_KN(shi_prod_square_of), k, d, step)
+        SHI_CASES_1_TO_8(SHI_KN(shi_prod_square_of), k, d, step)
     default: break;
     }
 }
@@ -1114,7 +1114,7 @@ SHI_NOINLINE void SHI_KN(shi_prod_swap)(int l, const SHI_T *k, SHI_V *d)
         q = d - 1;
     }
     switch (half) {
-        SHI_FIXED_1_TO_8(SHI_KN(shi_prod_exchange_of), k, p, q)
+        SHI_CASES_1_TO_8(SHI_KN(shi_prod_exchange_of), k, p, q)
     default: break;
     }
 }
@@ -1156,8 +1156,8 @@ SHI_KERNEL void SHI_KN(shi_prod_column_of)(const int s, int m, int sign, const S
 SHI_NOINLINE void SHI_KN(shi_prod_column)(int s, int m, int sign, const SHI_T *k, SHI_V *d)
 {
     switch (s) {
-        SHI_FIXED_1_TO_8(SHI_KN(shi_prod_column_of), m, sign, k, d)
-        SHI_FIXED_9_TO_16(SHI_KN(shi_prod_column_of), m, sign, k, d)
+        SHI_CASES_1_TO_8(SHI_KN(shi_prod_column_of), m, sign, k, d)
+        SHI_CASES_9_TO_16(SHI_KN(shi_prod_column_of), m, sign, k, d)
     default: break;
     }
 }

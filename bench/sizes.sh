@@ -1,6 +1,6 @@
 #!/bin/sh
-# sizes.sh BUILD HEADER... - lines and bytes of each header, how long a file that includes it takes to compile at -O2, and
-# the machine code each group of functions becomes.
+# sizes.sh BUILD HEADER... - lines and bytes of each header, how long a file that includes it takes to compile at -O2, the
+# machine code each group of functions becomes, and the stack that calls take.
 set -eu
 build=$1
 shift
@@ -33,7 +33,7 @@ printf '%-16s %7s %9s %12s   (target: < 0.5)\n' "all headers" "" "" "$(seconds $
 
 # Public functions as external symbols, so that each can be kept alone: what a program pays for the groups it calls.
 echo
-printf '%-34s %12s %12s %14s\n' "code of a group, f32 (bytes)" "-O2" "-O2 native" "largest frame"
+printf '%-34s %12s %12s\n' "code of a group, f32 (bytes)" "-O2" "-O2 native"
 group() { # NAME HEADER FUNCTION...
     name=$1 header=$2
     shift 2
@@ -49,9 +49,8 @@ group() { # NAME HEADER FUNCTION...
         return 0
     fi
     plain=$(text "$work/group.o")
-    $cc -O2 -march=native -fstack-usage -w -I. -c -o "$work/group.o" "$work/group.c"
-    printf '%-34s %12d %12d %14d\n' "$name" "$plain" "$(text "$work/group.o")" \
-        "$(awk -F'\t' '$2 > most { most = $2 } END { print most + 0 }' "$work/group.su")"
+    $cc -O2 -march=native -w -I. -c -o "$work/group.o" "$work/group.c"
+    printf '%-34s %12d %12d\n' "$name" "$plain" "$(text "$work/group.o")"
 }
 group "basis values"                 sh_gradient.h sh_eval sh_eval_n sh_eval_blocks
 group "basis gradients"              sh_gradient.h sh_eval_grad sh_eval_grad_n sh_eval_grad_blocks
@@ -66,3 +65,10 @@ group "interpolation"                sh_interp.h sh_grid_interp sh_grid_interp_n
 group "rotation"                     sh_product.h sh_rotation_matrix sh_rotate
 group "clamped-cosine product"       sh_product.h sh_cosine_product sh_cosine_product_n
 group "triple product"               sh_product.h sh_triple_product
+
+for option in "" -march=native; do
+    echo
+    printf '%-26s %5s %9s %9s\n' "stack, KiB, -O2 $option" bands f32 f64
+    $cc -std=gnu11 -O2 $option -w -I. -o "$work/stack" bench/stack.c -lm -lpthread
+    "$work/stack"
+done

@@ -21,8 +21,8 @@ def odd_factorial(k):                       # (2k-1)!!
 
 
 def beta(l, m):
-    """q_l = z q_{l-1} - beta q_{l-2}, monic in z; beta_mm = -1 starts the column from q_{m-2} = 1."""
-    return Fraction(-1) if l == m else Fraction((l - 1) ** 2 - m * m, (2 * l - 1) * (2 * l - 3))
+    """q_l = z q_{l-1} - beta q_{l-2}, monic in z; a column begins with q_m = 1 and q_{m-1} = 0."""
+    return Fraction(0) if l == m else Fraction((l - 1) ** 2 - m * m, (2 * l - 1) * (2 * l - 3))
 
 
 def norm2(l, m):
@@ -107,7 +107,7 @@ def block():
     line = [(l, abs(m)) for l in range(POLYNOMIAL_BANDS) for m in range(-l, l + 1)]
     flat = [(polynomials[m][l - m] + [mpf(0)] * 5)[k] for k in range((POLYNOMIAL_BANDS + 1) // 2) for l, m in line]
     return "\n".join([
-        table("shi_beta", len(pairs), "[l(l+1)/2 + m]: monic q_l = z q_{l-1} - beta q_{l-2}; (l,l) holds -1, the seed of a column",
+        table("shi_beta", len(pairs), "[l(l+1)/2 + m]: monic q_l = z q_{l-1} - beta q_{l-2}",
               [frac(beta(l, m)) for l, m in pairs]),
         table("shi_norm", len(pairs), "[l(l+1)/2 + m]: times monic q_l^m it is the normalised one", [norm(l, m) for l, m in pairs]),
         table("shi_pole", len(pairs), "[l(l+1)/2 + m]: norm included, q_l^m at z = 1", [pole(l, m) for l, m in pairs]),
