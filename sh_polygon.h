@@ -5857,7 +5857,7 @@ SHI_INLINE int SHI_FN(shi_polygons)(const SHI_FN(shi_polygon_lights) *o, SHI_T *
  * valid is an error before anything is written; a point that is not finite is an error and leaves its own outputs.
  * Error per polygon of radiance 1, with b = (bands+1) 2R/(d-R), R its radius about the mean vertex and d that one's distance:
  *     b < 1.4 (double: 1.8)  64 eps M_l sum |Omega_fan|, gradient 64 eps sum_fan (M_l |grad Omega_fan| +
- *     and d > 4 R            G_l Omega_fan/d), any shape; in double times 1 + 1/(8 sin) at grazing angles, whose
+ *     and d > 4 R            G_l Omega_fan/d), any shape; in double times 1 + 1/(4 sin) at grazing angles, whose
  *                            heights above the plane are rounded
  *     otherwise              32 eps M_l p more, p the perimeter in radians; gradient 128 eps M_l k more, k =
  *                            sum over edges of angle/distance; for points 1e-3 of the light's size from its

@@ -221,7 +221,7 @@ static void F(sums)(void **state)
             continue;
         assert_int_equal(F(sh_polygons_n)(n, SH_GRADIENT, 1, SH_BOTH, 1, p, 1, &count, v, NULL, out), SH_OK);
         /* in double, heights above the plane are rounded: by eps of the distance */
-        if (!IS_F32) grazing = 1 + 1 / (long double)graze / 8;
+        if (!IS_F32) grazing = 1 + 1 / (long double)graze / 4;
         row_case("kind %d, %d bands, size/distance %.1e, sine %.1e", kind, n, ratio, graze);
         {
             const long double large = size * (n + 1) < (IS_F32 ? 1.3L : 1.7L) ? 0 : 1;
