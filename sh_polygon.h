@@ -5048,168 +5048,204 @@ SHI_INLINE int shi_scene_between(const shi_scene *scene)
     return front && back;
 }
 
-/* Coefficients (and gradient, if grad) in double, of exact positions. tight as in shi_gauss_count.
- * fan_size, if not NULL, receives the sum of |solid angle| over the fan of vertex 0. */
+/* ---- the engine: coefficients in double, of exact positions ---- */
+
+/* the fan of vertex 0: sums of 6 volumes, of signed solid angles and of their sizes, of directed areas; the least R/(|a||b||c|)
+ * of shi_fan_even; the sides of its triangles that the point is on. flat: the point is in all their planes */
+typedef struct {
+    double volume, signed_sum, spread, area[3], least;
+    int side, flat, empty;
+} shi_fan_sums;
+
+SHI_INLINE shi_fan_sums shi_engine_fan(const shi_scene *scene)
+{
+    shi_fan_sums o = { 0, 0, 0, { 0, 0, 0 }, 4, 0, 1, 1 };
+    double normal[3] = { 0, 0, 0 };
+    shi_two first[3];
+    size_t i;
+    int k;
+    shi_scene_vertex(scene, 0, first);
+    for (i = 1; i + 1 < scene->count; i++) {
+        shi_two d1[3], d2[3], n[3], v[3][3];
+        double det = shi_scene_fan(scene, first, i, d1, d2, n), even, lengths, solid;
+        if (n[0].h == 0 && n[1].h == 0 && n[2].h == 0) continue;
+        o.empty = 0;
+        if (fabs(det) < 1e-280) det = 0;
+        if (det != 0) o.flat = 0;
+        shi_scene_vertex(scene, 0, v[0]);
+        shi_scene_vertex(scene, i, v[1]);
+        shi_scene_vertex(scene, i + 1, v[2]);
+        even = shi_fan_even(v, &lengths);
+        if (!(even > o.least * lengths)) o.least = even > 0 ? even / lengths : 0;
+        solid = 2 * atan2(det, even);
+        o.spread += fabs(solid);
+        o.signed_sum += solid;
+        o.volume += det;
+        for (k = 0; k < 3; k++) o.area[k] += n[k].h;
+        o.side |= shi_fan_side(det, n, normal);
+    }
+    return o;
+}
+
+/* From a point in the plane: the front side sees a part of the hemisphere, the angle swept around the point over 2 pi.
+ * Writes its coefficients unless it is 0 and returns it */
+SHI_INLINE double shi_engine_plane(const shi_scene *scene, const double area[3], int on_edge, int bands, double *coeffs)
+{
+    const double length = sqrt(shi_dot3(area, area));
+    double axis[3], y[SH_MAX_POLYGON_BANDS * SH_MAX_POLYGON_BANDS], part = 0, share = 1;
+    shi_arc e;
+    size_t i;
+    int k, l;
+    for (i = 0; i < scene->count; i++)
+        if (shi_scene_arc(scene, i, &e) == 1) part += atan2(shi_dot3(e.normal, area) / length, e.dot);
+    part /= SHI_TAU;
+    if (!on_edge) part = floor(part + 0.5);
+    if (part == 0) return 0;
+    for (k = 0; k < 3; k++) axis[k] = -area[k] / length;
+    sh_eval_f64(bands, axis, y);
+    for (l = 0; l < bands; l++) {       /* integral of P_l over [0,1]: 1, 1/2, 0, -1/8, 0, 1/16 ... */
+        const double zonal = l == 0 ? 1 : l % 2 ? 0.5 * share : 0;
+        if (l % 2) share *= -(double)l / (double)(l + 3);
+        for (k = l * l; k < (l + 1) * (l + 1); k++) coeffs[k] = part * SHI_TAU * zonal * y[k];
+    }
+    return part;
+}
+
+/* totals by the edges; returns the solid angle */
+SHI_NOINLINE double shi_engine_edges(const shi_scene *scene, int bands, int with_grad, int tight, const shi_fan_sums *fan, double *totals)
+{
+    const int ns = bands - 1, nt = with_grad ? bands : 0, flux = ns * bands, slope = bands * (bands + 1);
+    double s[(SH_MAX_POLYGON_BANDS + 1) * (SH_MAX_POLYGON_BANDS + 2)], t[(SH_MAX_POLYGON_BANDS + 1) * (SH_MAX_POLYGON_BANDS + 2)];
+    double before[3] = { 0, 0, 0 }, start[3] = { 0, 0, 0 }, corner[3] = { 0, 0, 0 }, c[3], turns;
+    shi_two turned = { 0, 0 };
+    shi_sink sink;
+    shi_arc e;
+    size_t i;
+    int have = 0, k, l;
+    sink.tight = tight;
+    sink.ns = ns;
+    sink.nt = nt;
+    for (i = 0; i < scene->count; i++) {
+        if (shi_scene_arc(scene, i, &e) != 1) continue;
+        if (have) {
+            shi_cross3(before, e.mu, c);
+            turned = shi_two_add(turned, shi_two_sum(atan2(shi_dot3(e.w, c), shi_dot3(before, e.mu)), 0));
+        }
+        for (k = 0; k < 3; k++) {
+            before[k] = e.mu[k];
+            if (!have) {
+                start[k] = e.mu[k];
+                corner[k] = e.w[k];
+            }
+        }
+        have = 1;
+        if (!ns && !nt) continue;
+        shi_sink_clear(&sink);
+        shi_arc_nodes(&sink, bands, &e);
+        shi_sink_add(&sink, s, t);
+        for (k = 0; k < 3; k++) {
+            for (l = 0; l < flux; l++) totals[SHI_FLUX_AT(bands) + k * flux + l] += e.mu[k] * s[l];
+            for (l = 0; l < slope && with_grad; l++) totals[SHI_SLOPE_AT(bands) + k * slope + l] += e.mu[k] * t[l];
+        }
+    }
+    if (have) {
+        shi_cross3(before, start, c);
+        turned = shi_two_add(turned, shi_two_sum(atan2(shi_dot3(corner, c), shi_dot3(before, start)), 0));
+    }
+    /* exterior angles give the solid angle modulo 2 pi, the fan tells which; the fan alone is poor near its sides' planes */
+    if (fan->least > 0.25) return fan->signed_sum;
+    turns = floor((fan->signed_sum + turned.h) / SHI_TAU + 0.5);
+    return (SHI_TAU * turns - turned.h) + (2.4492935982947064e-16 * turns - turned.l);      /* 2 pi to 32 digits */
+}
+
+/* totals by the triangles of the fan */
+SHI_NOINLINE void shi_engine_surface(const shi_scene *scene, int bands, int with_grad, int tight, double *totals)
+{
+    const int nt = with_grad ? bands + 1 : 0, used = bands * (bands + 1);
+    double s[(SH_MAX_POLYGON_BANDS + 1) * (SH_MAX_POLYGON_BANDS + 2)], t[(SH_MAX_POLYGON_BANDS + 1) * (SH_MAX_POLYGON_BANDS + 2)];
+    shi_two first[3];
+    shi_sink sink;
+    size_t i;
+    int k, l, m;
+    sink.tight = tight;
+    sink.ns = bands;
+    sink.nt = nt;
+    shi_scene_vertex(scene, 0, first);
+    for (i = 1; i + 1 < scene->count; i++) {
+        shi_two d1[3], d2[3], n[3], v[3][3];
+        shi_corner c[3];
+        const double det = shi_scene_fan(scene, first, i, d1, d2, n);
+        double unit = det;
+        if (fabs(det) < 1e-280) continue;
+        shi_scene_vertex(scene, 0, v[0]);
+        shi_scene_vertex(scene, i, v[1]);
+        shi_scene_vertex(scene, i + 1, v[2]);
+        for (m = 0; m < 3; m++) {
+            double r;
+            for (k = 0; k < 3; k++) c[m].v[k] = v[m][k].h;
+            r = sqrt(shi_dot3(c[m].v, c[m].v));
+            for (k = 0; k < 3; k++) c[m].v[k] /= r;
+            c[m].v[3] = 1 / r;
+            c[m].exact = v[m];
+            unit /= r;                                      /* to the determinant of the directions */
+        }
+        unit = unit > 1 ? 1 : unit < -1 ? -1 : unit;
+        shi_sink_clear(&sink);
+        shi_triangle_nodes(&sink, &c[0], &c[1], &c[2], unit, 0);
+        shi_sink_add(&sink, s, t);
+        for (l = 0; l < used; l++) totals[l] += s[l];
+        if (!with_grad) continue;
+        for (k = 0; k < 3; k++)
+            for (l = 0; l < used; l++) totals[SHI_SLOPE_AT(bands) + k * used + l] -= n[k].h / det * s[l];
+        for (l = 0; l < nt * (nt + 1); l++) totals[SHI_RAY_AT(bands) + l] += t[l];
+    }
+}
+
+/* Coefficients, and their gradient if grad. tight as in shi_gauss_count. fan_size, if not NULL, receives the sum of |solid
+ * angle| over the fan of vertex 0. */
 SHI_NOINLINE int shi_polygon_engine(int bands, int sides, int tight, const double point[3], size_t count, const void *vertices,
                                     int floats, double *coeffs, double *grad, double *fan_size)
 {
-    const double turn = SHI_TAU, y00 = SHI_Y00;
     const int size = bands * bands, planes = grad ? SH_GRADIENT : SH_VALUES;
-    double totals[SHI_TOTALS(SH_MAX_POLYGON_BANDS)], out[4 * SH_MAX_POLYGON_BANDS * SH_MAX_POLYGON_BANDS];
-    double s[(SH_MAX_POLYGON_BANDS + 1) * (SH_MAX_POLYGON_BANDS + 2)], t[(SH_MAX_POLYGON_BANDS + 1) * (SH_MAX_POLYGON_BANDS + 2)];
-    double spread = 0, signed_sum = 0, volume = 0, area[3] = { 0, 0, 0 }, normal[3] = { 0, 0, 0 }, sign, omega = 0, least = 4;
+    double totals[SHI_TOTALS(SH_MAX_POLYGON_BANDS)], out[4 * SH_MAX_POLYGON_BANDS * SH_MAX_POLYGON_BANDS], sign = -1, omega = 0;
     shi_scene scene;
-    shi_sink sink;
-    shi_two first[3], plane_turn = { 0, 0 };
+    shi_fan_sums fan;
     shi_arc e;
     size_t i;
-    int k, l, status = SH_OK, flat = 1, empty = 1, on_edge = 0, side = 0, edges;
+    int status = SH_OK, on_edge = 0, edges = 1;
 
     shi_scene_open(&scene, point, count, vertices, floats);
     memset(coeffs, 0, (size_t)size * sizeof coeffs[0]);
     if (grad) memset(grad, 0, 3 * (size_t)size * sizeof grad[0]);
     if (fan_size) *fan_size = 0;
 
-    /* the fan: which side, how large, is there a plane */
-    shi_scene_vertex(&scene, 0, first);
-    for (i = 1; i + 1 < count; i++) {
-        shi_two d1[3], d2[3], n[3], v[3][3];
-        double det = shi_scene_fan(&scene, first, i, d1, d2, n), even, lengths, solid;
-        if (n[0].h == 0 && n[1].h == 0 && n[2].h == 0) continue;
-        empty = 0;
-        if (fabs(det) < 1e-280) det = 0;
-        if (det != 0) flat = 0;
-        shi_scene_vertex(&scene, 0, v[0]);
-        shi_scene_vertex(&scene, i, v[1]);
-        shi_scene_vertex(&scene, i + 1, v[2]);
-        even = shi_fan_even(v, &lengths);
-        if (!(even > least * lengths)) least = even > 0 ? even / lengths : 0;
-        solid = 2 * atan2(det, even);
-        spread += fabs(solid);
-        signed_sum += solid;
-        volume += det;
-        for (k = 0; k < 3; k++) area[k] += n[k].h;
-        side |= shi_fan_side(det, n, normal);
-    }
-    if (empty) return SH_OK;
+    fan = shi_engine_fan(&scene);
+    if (fan.empty) return SH_OK;
     for (i = 0; i < count; i++)
         if (shi_scene_arc(&scene, i, &e) < 0) on_edge = 1;
-
-    if (flat || on_edge) {
-        /* in the plane: the front side sees a part of the hemisphere, the angle swept around the point over 2 pi */
-        const double length = sqrt(shi_dot3(area, area));
-        double axis[3], part = 0, share = 1;
-        if (!(length > 0)) return on_edge ? SH_ON_LIGHT : SH_OK;
-        for (i = 0; i < count; i++)
-            if (shi_scene_arc(&scene, i, &e) == 1) part += atan2(shi_dot3(e.normal, area) / length, e.dot);
-        part /= turn;
-        if (!on_edge) part = floor(part + 0.5);
-        if (part != 0) {
-            status = SH_ON_LIGHT;
-            for (k = 0; k < 3; k++) axis[k] = -area[k] / length;
-            sh_eval_f64(bands, axis, out);
-            for (l = 0; l < bands; l++) { /* integral of P_l over [0,1]: 1, 1/2, 0, -1/8, 0, 1/16 ... */
-                const double zonal = l == 0 ? 1 : l % 2 ? 0.5 * share : 0;
-                if (l % 2) share *= -(double)l / (double)(l + 3);
-                for (k = l * l; k < (l + 1) * (l + 1); k++) coeffs[k] = part * turn * zonal * out[k];
-            }
-        } else if (on_edge) {
-            status = SH_ON_LIGHT;
-        }
-        if (fan_size) *fan_size = fabs(part) * turn;
+    if (fan.flat || on_edge) {
+        double part;
+        if (!(shi_dot3(fan.area, fan.area) > 0)) return on_edge ? SH_ON_LIGHT : SH_OK;
+        part = shi_engine_plane(&scene, fan.area, on_edge, bands, coeffs);
+        if (part != 0 || on_edge) status = SH_ON_LIGHT;
+        if (fan_size) *fan_size = fabs(part) * SHI_TAU;
         if (on_edge || !grad || (part == 0 && sides != SH_SIGNED)) return status;
-        sign = -1;
-        edges = 1;
     } else {
-        if (fan_size) *fan_size = spread;
-        if (side == 3 && shi_scene_between(&scene)) volume = signed_sum;
-        sign = volume < 0 ? -1 : 1;                         /* < 0: the point is in front */
-        if (sides == SH_FRONT && sign > 0) return SH_OK;
-        if (sides == SH_SIGNED) sign = -1;
-        edges = spread >= (tight ? 0.25 : 1e-6);
+        const double side = fan.side == 3 && shi_scene_between(&scene) ? fan.signed_sum : fan.volume;
+        if (fan_size) *fan_size = fan.spread;
+        if (sides == SH_FRONT && !(side < 0)) return SH_OK; /* < 0: the point is in front */
+        if (sides == SH_BOTH && !(side < 0)) sign = 1;
+        edges = fan.spread >= (tight ? 0.25 : 1e-6);
     }
 
     memset(totals, 0, (size_t)SHI_TOTALS(bands) * sizeof totals[0]);
-    sink.tight = tight || spread < 1e-2; /* edges of a small light cancel what 2e-10 leaves */
-    if (edges) {
-        const int ns = bands - 1, nt = grad ? bands : 0, flux = ns * bands, slope = bands * (bands + 1);
-        double before[3] = { 0, 0, 0 }, start[3] = { 0, 0, 0 }, corner[3] = { 0, 0, 0 }, c[3];
-        int have = 0;
-        sink.ns = ns;
-        sink.nt = nt;
-        for (i = 0; i < count; i++) {
-            if (shi_scene_arc(&scene, i, &e) != 1) continue;
-            if (have) {
-                shi_cross3(before, e.mu, c);
-                plane_turn = shi_two_add(plane_turn, shi_two_sum(atan2(shi_dot3(e.w, c), shi_dot3(before, e.mu)), 0));
-            }
-            for (k = 0; k < 3; k++) {
-                before[k] = e.mu[k];
-                if (!have) {
-                    start[k] = e.mu[k];
-                    corner[k] = e.w[k];
-                }
-            }
-            have = 1;
-            if (!ns && !nt) continue;
-            shi_sink_clear(&sink);
-            shi_arc_nodes(&sink, bands, &e);
-            shi_sink_add(&sink, s, t);
-            for (k = 0; k < 3; k++) {
-                for (l = 0; l < flux; l++) totals[SHI_FLUX_AT(bands) + k * flux + l] += e.mu[k] * s[l];
-                if (grad)
-                    for (l = 0; l < slope; l++) totals[SHI_SLOPE_AT(bands) + k * slope + l] += e.mu[k] * t[l];
-            }
-        }
-        if (have) {
-            shi_cross3(before, start, c);
-            plane_turn = shi_two_add(plane_turn, shi_two_sum(atan2(shi_dot3(corner, c), shi_dot3(before, start)), 0));
-        }
-        /* exterior angles give the solid angle modulo 2 pi, the fan tells which; the fan alone is poor near its sides' planes */
-        omega = signed_sum;
-        if (least <= 0.25) {
-            const double turns = floor((signed_sum + plane_turn.h) / turn + 0.5);
-            omega = (turn * turns - plane_turn.h) + (2.4492935982947064e-16 * turns - plane_turn.l);   /* 2 pi to 32 digits */
-        }
-    } else {
-        const int nt = grad ? bands + 1 : 0, used = bands * (bands + 1);
-        int m;
-        sink.ns = bands;
-        sink.nt = nt;
-        for (i = 1; i + 1 < count; i++) {
-            shi_two d1[3], d2[3], n[3], v[3][3];
-            shi_corner c[3];
-            double det, unit;
-            det = shi_scene_fan(&scene, first, i, d1, d2, n);
-            if (fabs(det) < 1e-280) continue;
-            shi_scene_vertex(&scene, 0, v[0]);
-            shi_scene_vertex(&scene, i, v[1]);
-            shi_scene_vertex(&scene, i + 1, v[2]);
-            unit = det;
-            for (m = 0; m < 3; m++) {
-                double r;
-                for (k = 0; k < 3; k++) c[m].v[k] = v[m][k].h;
-                r = sqrt(shi_dot3(c[m].v, c[m].v));
-                for (k = 0; k < 3; k++) c[m].v[k] /= r;
-                c[m].v[3] = 1 / r;
-                c[m].exact = v[m];
-                unit /= r;                                  /* to the determinant of the directions */
-            }
-            unit = unit > 1 ? 1 : unit < -1 ? -1 : unit;
-            shi_sink_clear(&sink);
-            shi_triangle_nodes(&sink, &c[0], &c[1], &c[2], unit, 0);
-            shi_sink_add(&sink, s, t);
-            for (l = 0; l < used; l++) totals[l] += s[l];
-            if (!grad) continue;
-            for (k = 0; k < 3; k++)
-                for (l = 0; l < used; l++) totals[SHI_SLOPE_AT(bands) + k * used + l] -= n[k].h / det * s[l];
-            for (l = 0; l < nt * (nt + 1); l++) totals[SHI_RAY_AT(bands) + l] += t[l];
-        }
-    }
+    tight = tight || fan.spread < 1e-2;                     /* edges of a small light cancel what 2e-10 leaves */
+    if (edges) omega = shi_engine_edges(&scene, bands, grad != NULL, tight, &fan, totals);
+    else shi_engine_surface(&scene, bands, grad != NULL, tight, totals);
     SHI_ONE(shi_polygon_finish)(bands, planes, !edges, totals, out);
     if (status == SH_OK) {
-        if (edges) out[0] = omega * y00;
-        for (i = 0; i < (size_t)size; i++) coeffs[i] = flat ? 0 : sign * out[i];
+        if (edges) out[0] = omega * SHI_Y00;
+        for (i = 0; i < (size_t)size; i++) coeffs[i] = fan.flat ? 0 : sign * out[i];
     }
     for (i = 0; grad && i < 3 * (size_t)size; i++) grad[i] = sign * scene.scale * out[(size_t)size + i];
     return status;
