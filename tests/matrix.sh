@@ -130,6 +130,10 @@ isas() {
         run gcc-native-O3 0.5 gcc -std=gnu99 -O3 -march=native
         run gcc-O0 0.1 gcc -std=gnu99 -O0 $few
         run gcc-nocontract 0.2 gcc -std=gnu99 -O2 -march=native -ffp-contract=off
+        # the bodies that `make sanitize` leaves out: unrolled, in the widest lanes
+        suite=test_gradient_basis
+        run gcc-native-sanitized 0.1 gcc -std=gnu99 -O1 -march=native -fsanitize=address,undefined -fno-sanitize-recover=all
+        suite=$1
         for bytes in 16 32; do run gcc-native-$bytes 0.1 gcc -std=gnu99 -O2 $few -march=native -DSH_VECTOR_BYTES=$bytes; done
     fi
     if have clang; then

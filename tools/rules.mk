@@ -11,7 +11,7 @@ install:
 	install -d "$(DESTDIR)$(PREFIX)/include/shlight" "$(DESTDIR)$(PREFIX)/lib/pkgconfig" \
 		"$(DESTDIR)$(PREFIX)/lib/cmake/shlight"
 	install -m 644 $(wildcard $(HEADERS)) "$(DESTDIR)$(PREFIX)/include/shlight"
-	sed -e 's|@PREFIX@|$(PREFIX)|' -e 's|@VERSION@|$(VERSION)|' shlight.pc.in \
+	sed -e 's|@PREFIX@|$(abspath $(PREFIX))|' -e 's|@VERSION@|$(VERSION)|' shlight.pc.in \
 		>"$(DESTDIR)$(PREFIX)/lib/pkgconfig/shlight.pc"
 	sed 's|@VERSION@|$(VERSION)|' tools/shlightConfigVersion.cmake.in \
 		>"$(DESTDIR)$(PREFIX)/lib/cmake/shlight/shlightConfigVersion.cmake"
