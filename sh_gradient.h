@@ -185,14 +185,14 @@ enum {
 #else
 #  define SHI_ABREAST 4
 #endif
-#define SHI_TOGETHER(with_grad) ((with_grad) ? 1 : 2)   /* ... and columns summed at once: what 16 registers hold */
 #define SHI_PROFILE 9                                   /* numbers per band in shi_profile */
 #define SHI_ROWS(l, m) ((l) * ((l) + 1) / 2 + (m))      /* index into tables by band and m */
 
 #define SHI_LINE 100                                    /* coefficients of SHI_POLYNOMIAL_BANDS bands */
 #define SHI_HORNER(l, m, k) (SHI_FN(shi_horner)[(k) * SHI_LINE + (l) * ((l) + 1) + (m)])
-/* index into what shi_horner_form fills */
-#define SHI_FORM_AT(parity, k, sign, m) ((((parity) * (SHI_POLYNOMIAL_BANDS / 2) + (k)) * 2 + (sign)) * 16 + (m))
+/* index into what shi_sum_form fills, and to the node of its Newton's form */
+#define SHI_FORM_AT(parity, k, sign, m) ((((parity) * (SH_MAX_BANDS / 2) + (k)) * 2 + (sign)) * SH_MAX_BANDS + (m))
+#define SHI_NODES(k, m) ((k) * (SH_MAX_BANDS - 1 - (k)) + (m))
 
 #define SHI_MOST(numbers) ((size_t)-1 / 16 / (size_t)(numbers))        /* items of so many numbers: half the addresses */
 
@@ -1510,32 +1510,44 @@ SHI_NOINLINE int SHI_KN(shi_single_hessian)(int n, const SHI_T v[3], SHI_T *y, S
 
 /* ---- sum c_i Y_i at W directions, the basis never stored ----
  *
- * Up to SH_UNROLLED_BANDS each column's polynomial A_m(z) = sum_l c_lm norm q_l^m is brought to E(t) + z O(t), t = z^2 - 1/2,
- * once per call and evaluated by Horner: one multiply-add per coefficient. In t on [-1/2, 1/2] the terms of band l grow by
- * (1 + sqrt 2)^(l/2) at worst (52 at l = 9), in z by its square. Beyond, Clenshaw's rule: two per coefficient. */
+ * Once per call each column's polynomial A_m(z) = sum_l c_lm norm q_l^m is brought to E(t) + z O(t), then Horner's rule takes
+ * one multiply-add per coefficient. Up to SH_UNROLLED_BANDS t = z^2 - 1/2: on [-1/2, 1/2] the terms of band l grow by
+ * (1 + sqrt 2)^(l/2) at worst (52 at l = 9), in z by its square. Beyond, Newton's form about shi_node, where they do not. */
 
-/* a[parity of l][k][cos, then sin][m]: coefficient of t^k in column m's polynomial times (-1)^m, W orders m at a time */
-SHI_KERNEL int SHI_KN(shi_horner_form_fixed)(int n, const SHI_T *coeffs, SHI_T *a)
+/* W coefficients, 0 where there are none */
+SHI_KERNEL SHI_V SHI_KN(shi_load_within)(int n, const SHI_T *coeffs, int at)
 {
-    static const SHI_T signs[17] = { 1, -1, 1, -1, 1, -1, 1, -1, 1, -1, 1, -1, 1, -1, 1, -1, 1 };
-    SHI_T padded[SHI_POLYNOMIAL_BANDS * SHI_POLYNOMIAL_BANDS + 2 * SHI_W];
+    SHI_T t[SHI_W];
+    int i;
+    if (at >= 0 && at + SHI_W <= n * n) return SHI_LOAD(coeffs + at);
+    SHI_UNROLL
+    for (i = 0; i < SHI_W; i++) t[i] = at + i >= 0 && at + i < n * n ? coeffs[at + i] : 0;
+    return SHI_LOAD(t);
+}
+/* c_lm and c_l,-m of the orders first .. first+W-1; beyond m = l of no use */
+SHI_KERNEL void SHI_KN(shi_band_pairs)(int n, const SHI_T *coeffs, int l, int first, SHI_V *c, SHI_V *s)
+{
+    const int middle = l * (l + 1);
+    *c = SHI_KN(shi_load_within)(n, coeffs, middle + first);
+    *s = SHI_KN(shi_reverse)(SHI_KN(shi_load_within)(n, coeffs, middle - first - (SHI_W - 1)));
+}
+
+/* a[parity of l][k][cos, then sin][m]: coefficient of t^k in column m's E or O, W orders m at a time */
+SHI_KERNEL int SHI_KN(shi_sum_form_fixed)(int n, const SHI_T *coeffs, SHI_T *a)
+{
     const SHI_V zero = SHI_SPLAT(0);
-    int first, l, k;
-    SHI_STORE(padded, zero);
-    memcpy(padded + SHI_W, coeffs, (size_t)(n * n) * sizeof *coeffs);
-    SHI_STORE(padded + SHI_W + n * n, zero);
+    int first, l, k, i;
     SHI_UNROLL
     for (first = 0; first < n; first += SHI_W) {
-        const SHI_V sign = SHI_LOAD(signs + (first & 1));
         SHI_V c[SHI_POLYNOMIAL_BANDS], s[SHI_POLYNOMIAL_BANDS];
         SHI_UNROLL
         for (l = first; l < n; l++) {
-            const SHI_T *const middle = padded + SHI_W + l * (l + 1);
-            int has[SHI_W], i;
+            int has[SHI_W];
             SHI_UNROLL
             for (i = 0; i < SHI_W; i++) has[i] = first + i <= l;
-            c[l] = SHI_KN(shi_blend)(has, SHI_LOAD(middle + first), zero);
-            s[l] = SHI_KN(shi_blend)(has, SHI_KN(shi_reverse)(SHI_LOAD(middle - first - (SHI_W - 1))), zero);
+            SHI_KN(shi_band_pairs)(n, coeffs, l, first, &c[l], &s[l]);
+            c[l] = SHI_KN(shi_blend)(has, c[l], zero);
+            s[l] = SHI_KN(shi_blend)(has, s[l], zero);
         }
         SHI_UNROLL
         for (k = 0; k < n; k++) {                                       /* parity k & 1, power k / 2 */
@@ -1546,43 +1558,54 @@ SHI_KERNEL int SHI_KN(shi_horner_form_fixed)(int n, const SHI_T *coeffs, SHI_T *
                 p = SHI_FMA(h, c[l], p);
                 q = SHI_FMA(h, s[l], q);
             }
-            SHI_STORE(a + SHI_FORM_AT(k & 1, k / 2, 0, first), sign * p);
-            SHI_STORE(a + SHI_FORM_AT(k & 1, k / 2, 1, first), sign * q);
+            SHI_STORE(a + SHI_FORM_AT(k & 1, k / 2, 0, first), p);
+            SHI_STORE(a + SHI_FORM_AT(k & 1, k / 2, 1, first), q);
         }
     }
     return 1;
 }
-SHI_KERNEL int SHI_KN(shi_horner_form_any)(int n, const SHI_T *coeffs, SHI_T *a)       /* there is none beyond */
+/* The same in Newton's form, sum_k a_k prod_{j<k} (t - t_j), t = z^2. There z times an even polynomial keeps its a_k, z times
+ * an odd one has a_{k-1} + t_k a_k: so q_l = z q_{l-1} - beta q_{l-2} gives the form of each monic q_l^m */
+SHI_NOINLINE int SHI_KN(shi_sum_form_any)(int n, const SHI_T *coeffs, SHI_T *a)
 {
-    (void)n, (void)coeffs, (void)a;
-    return 0;
-}
-SHI_NOINLINE int SHI_KN(shi_horner_form)(int n, const SHI_T *coeffs, SHI_T *a)
-{
-    SHI_BANDS(n, SHI_KN(shi_horner_form_fixed), SHI_KN(shi_horner_form_any), coeffs, a)
-}
-
-#if SHI_LANES == 1
-/* What shi_sum_clenshaw reads, in its order: coefficients of monic q_l^m times (-1)^m, cos, then sin, and -beta of band
- * l + 2; columns that run together end together, beginning with zeros */
-SHI_INLINE void SHI_FN(shi_clenshaw_form)(int n, int together, const SHI_T *c, SHI_T *a)
-{
-    int first, k, l;
-    for (first = (n - 1) / together * together; first >= 0; a += 3 * together * (n - first), first -= together)
-        for (k = 0; k < together; k++) {
-            const int m = first + k;
-            const SHI_T sign = m & 1 ? -(SHI_T)1 : 1;
-            SHI_T *p = a + 3 * k;
-            if (k) p[0] = p[1] = p[2] = 0, p += 3 * together;
-            for (l = n - 1; l >= m; l--, p += 3 * together) {
-                const SHI_T norm = sign * SHI_FN(shi_norm)[SHI_ROWS(l, m)];
-                p[0] = norm * c[l * (l + 1) + m];
-                p[1] = m ? norm * c[l * (l + 1) - m] : 0;
-                p[2] = -SHI_FN(shi_beta)[SHI_ROWS(l + 2, m)];
+    static const SHI_T one_hot[32] = { 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1 };
+    static const SHI_T alternating[17] = { 1, 0, 1, 0, 1, 0, 1, 0, 1, 0, 1, 0, 1, 0, 1, 0, 1 };
+    const SHI_V zero = SHI_SPLAT(0);
+    SHI_V q[2][SH_MAX_BANDS / 2];                                  /* q_l takes the place of q_{l-2} */
+    int first, l, k;
+    for (first = 0; first < n; first += SHI_W) {
+        for (k = 0; k <= (n - 1 - first) / 2; k++) {
+            q[0][k] = q[1][k] = zero;
+            SHI_STORE(a + SHI_FORM_AT(0, k, 0, first), zero);
+            SHI_STORE(a + SHI_FORM_AT(0, k, 1, first), zero);
+            SHI_STORE(a + SHI_FORM_AT(1, k, 0, first), zero);
+            SHI_STORE(a + SHI_FORM_AT(1, k, 1, first), zero);
+        }
+        for (l = first; l < n; l++) {
+            SHI_V *const q0 = q[l & 1], *const q1 = q[!(l & 1)], c, s;
+            const SHI_V norm = SHI_LOAD(SHI_FN(shi_norm) + SHI_ROWS(l, first));
+            const SHI_V minus_beta = -SHI_LOAD(SHI_FN(shi_beta) + SHI_ROWS(l, first));
+            const SHI_V even = SHI_LOAD(alternating + ((l + first) & 1)), odd = SHI_SPLAT(1) - even;
+            SHI_V before = SHI_LOAD(one_hot + (l - first < SHI_W ? 15 - (l - first) : 16));      /* q_m^m = 1 */
+            SHI_KN(shi_band_pairs)(n, coeffs, l, first, &c, &s);
+            c *= norm;
+            s *= norm;
+            for (k = 0; k <= (l - first) / 2; k++) {
+                const SHI_V times = SHI_FMA(even, SHI_LOAD(SHI_FN(shi_node) + SHI_NODES(k, first)), odd);
+                SHI_T *const p = a + SHI_FORM_AT(l & 1, k, 0, first), *const r = a + SHI_FORM_AT(l & 1, k, 1, first);
+                q0[k] = SHI_FMA(even, before, SHI_FMA(times, q1[k], minus_beta * q0[k]));
+                before = q1[k];
+                SHI_STORE(p, SHI_FMA(q0[k], c, SHI_LOAD(p)));
+                SHI_STORE(r, SHI_FMA(q0[k], s, SHI_LOAD(r)));
             }
         }
+    }
+    return 1;
 }
-#endif
+SHI_NOINLINE int SHI_KN(shi_sum_form)(int n, const SHI_T *coeffs, SHI_T *a)
+{
+    SHI_BANDS(n, SHI_KN(shi_sum_form_fixed), SHI_KN(shi_sum_form_any), coeffs, a)
+}
 
 /* (a, b) += (x + iy) (p, q) */
 SHI_KERNEL void SHI_KN(shi_add_turned)(SHI_V x, SHI_V y, const SHI_V p[2], SHI_V a[2])
@@ -1592,14 +1615,15 @@ SHI_KERNEL void SHI_KN(shi_add_turned)(SHI_V x, SHI_V y, const SHI_V p[2], SHI_V
     a[1] = SHI_FMA(x, p1, SHI_FMA(y, p0, a[1]));
 }
 
-/* sums of the columns m and up, divided by (x - iy)^m: value, derivative by z, derivative by x - iy */
+/* sums of the columns m and up, divided by w^m, w = iy - x, whose powers have the signs (-1)^m: value, derivative by z,
+ * derivative by w */
 typedef struct { SHI_V value[2], by_z[2], by_w[2]; } SHI_KN(shi_sum_of);
 
-/* Horner's rule in x - iy: column m's polynomial ab and its derivative join the `above` columns beyond it */
+/* Horner's rule in w: column m's polynomial ab and its derivative join the `above` columns beyond it */
 SHI_KERNEL void SHI_KN(shi_sum_column)(int above, int with_grad, const SHI_V u[4], SHI_V ab[2], SHI_V dab[2],
                                        SHI_KN(shi_sum_of) *sum)
 {
-    const SHI_V x = u[0], y = -u[1];
+    const SHI_V x = -u[0], y = u[1];
     if (with_grad) {
         SHI_V next[2];
         next[0] = sum->value[0];
@@ -1618,7 +1642,7 @@ SHI_KERNEL void SHI_KN(shi_sum_column)(int above, int with_grad, const SHI_V u[4
     sum->value[1] = ab[1];
 }
 
-/* Re sum (A_m(z) + i B_m(z)) (x - iy)^m, the columns' polynomials by Horner's rule */
+/* Re sum (A_m(z) + i B_m(z)) w^m, the columns' polynomials by Horner's rule */
 SHI_KERNEL void SHI_KN(shi_sum_horner)(int n, int with_grad, const SHI_T *a, const SHI_V u[4], SHI_KN(shi_sum_of) *sum)
 {
     const SHI_V z = u[2], t = u[3], z2 = z + z;
@@ -1650,34 +1674,36 @@ SHI_KERNEL void SHI_KN(shi_sum_horner)(int n, int with_grad, const SHI_T *a, con
     }
 }
 
-/* the same by Clenshaw's: b_l = a_l + z b_{l+1} - beta_{l+2} b_{l+2}, and b_m is the column's polynomial */
-SHI_KERNEL void SHI_KN(shi_sum_clenshaw)(int n, int with_grad, const SHI_T *a, const SHI_V u[4], SHI_KN(shi_sum_of) *sum)
+/* the same by Newton's form */
+SHI_KERNEL void SHI_KN(shi_sum_newton)(int n, int with_grad, const SHI_T *a, const SHI_V u[4], SHI_KN(shi_sum_of) *sum)
 {
-    const int together = SHI_TOGETHER(with_grad);
-    const SHI_V z = u[2];
-    int first, step, k, sign;
-    for (first = (n - 1) / together * together; first >= 0; first -= together) {
-        SHI_V b[2][2], b1[2][2], d[2][2], d1[2][2];
+    const SHI_V z = u[2], z2 = z + z;
+    int m, k, i;
+    for (m = n - 1; m >= 0; m--) {
+        const int last = (n - 1 - m) / 2;
+        const SHI_T *e = a + SHI_FORM_AT(m & 1, last, 0, m), *o = a + SHI_FORM_AT(!(m & 1), last, 0, m);
+        SHI_V h[4], d[4], ab[2], dab[2];
         SHI_UNROLL
-        for (k = 0; k < 2; k++)
-            b[k][0] = b[k][1] = b1[k][0] = b1[k][1] = d[k][0] = d[k][1] = d1[k][0] = d1[k][1] = SHI_SPLAT(0);
-        for (step = n - first; step > 0; step--) {
+        for (i = 0; i < 2; i++) {
+            h[i] = SHI_SPLAT(e[i * SH_MAX_BANDS]);
+            h[2 + i] = SHI_SPLAT(o[i * SH_MAX_BANDS]);
+            d[i] = d[2 + i] = SHI_SPLAT(0);
+        }
+        for (k = last - 1; k >= 0; k--) {
+            const SHI_V t = SHI_FMA(z, z, SHI_SPLAT(-SHI_FN(shi_node)[SHI_NODES(k, m)]));
+            e -= 2 * SH_MAX_BANDS, o -= 2 * SH_MAX_BANDS;
             SHI_UNROLL
-            for (k = 0; k < together; k++, a += 3) {
-                const SHI_V minus_beta = SHI_SPLAT(a[2]);
-                SHI_UNROLL
-                for (sign = 0; sign < 2; sign++) {
-                    const SHI_V b2 = b1[k][sign], d2 = d1[k][sign];
-                    b1[k][sign] = b[k][sign];
-                    d1[k][sign] = d[k][sign];
-                    if (with_grad) d[k][sign] = SHI_FMA(z, d1[k][sign], SHI_FMA(minus_beta, d2, b1[k][sign]));
-                    b[k][sign] = SHI_FMA(z, b1[k][sign], SHI_FMA(minus_beta, b2, SHI_SPLAT(a[sign])));
-                }
+            for (i = 0; i < 4; i++) {
+                if (with_grad) d[i] = SHI_FMA(d[i], t, h[i]);
+                h[i] = SHI_FMA(h[i], t, SHI_SPLAT((i < 2 ? e : o)[i % 2 * SH_MAX_BANDS]));
             }
         }
         SHI_UNROLL
-        for (k = together - 1; k >= 0; k--)
-            if (first + k < n) SHI_KN(shi_sum_column)(n - 1 - first - k, with_grad, u, b[k], d[k], sum);
+        for (i = 0; i < 2; i++) {
+            ab[i] = SHI_FMA(z, h[2 + i], h[i]);
+            dab[i] = SHI_FMA(z2, SHI_FMA(z, d[2 + i], d[i]), h[2 + i]);
+        }
+        SHI_KN(shi_sum_column)(n - 1 - m, with_grad, u, ab, dab, sum);
     }
 }
 
@@ -1697,9 +1723,9 @@ SHI_KERNEL int SHI_KN(shi_sums)(int n, int horner, int with_grad, const SHI_T *a
         if (count - p > SHI_W) SHI_KN(shi_direct_plain)(dirs + 3 * (p + SHI_W), count - p - SHI_W, &next);
         for (k = 0; k < 2; k++) sum.value[k] = sum.by_z[k] = sum.by_w[k] = SHI_SPLAT(0);
         if (horner) SHI_KN(shi_sum_horner)(n, with_grad, a, now.u, &sum);
-        else SHI_KN(shi_sum_clenshaw)(n, with_grad, a, now.u, &sum);
+        else SHI_KN(shi_sum_newton)(n, with_grad, a, now.u, &sum);
         if (with_grad) {
-            const SHI_V f[3] = { sum.by_w[0], sum.by_w[1], sum.by_z[0] };
+            const SHI_V f[3] = { -sum.by_w[0], -sum.by_w[1], sum.by_z[0] };
             const SHI_V radial = SHI_FMA(now.u[0], f[0], SHI_FMA(now.u[1], f[1], now.u[2] * f[2]));
             for (k = 0; k < 3; k++) gradient[k] = now.inverse * (f[k] - radial * now.u[k]);
         }
@@ -1724,7 +1750,7 @@ SHI_KERNEL int SHI_KN(shi_sums)(int n, int horner, int with_grad, const SHI_T *a
     return status;
 }
 
-/* a body per band count up to SH_UNROLLED_BANDS by Horner's rule, beyond by Clenshaw's */
+/* a body per band count up to SH_UNROLLED_BANDS by powers, beyond by Newton's form */
 SHI_KERNEL int SHI_KN(shi_sum_values_fixed)(int n, const SHI_T *a, size_t count, const SHI_T *dirs, SHI_T *values)
 {
     return SHI_KN(shi_sums)(n, 1, 0, a, count, dirs, values, NULL);
@@ -3403,11 +3429,11 @@ SH_API int SHI_FN(sh_eval_angles_n)(int bands, size_t count, const SHI_T *theta,
  *   values  [count] or NULL
  *   grads   [count][3] or NULL
  * Error:  |value - exact| <= (8 + n^2/4) eps sqrt(sum_l M_l^2) |coeffs|_2 over n bands, gradients n times that / |d|.
- * Source: M22 Eq. 8 with the sums over l and over m by Horner's rule, beyond 10 bands by Clenshaw's (1955). */
+ * Source: M22 Eq. 8 with the sums over l and over m by Horner's rule, beyond 10 bands about Leja points (Newton's form). */
 SH_API int SHI_FN(sh_reconstruct_n)(int bands, const SHI_T *coeffs, size_t count, const SHI_T *dirs, SHI_T *values,
                                     SHI_T *grads)
 {
-    SHI_T a[3 * SH_MAX_BANDS * (SH_MAX_BANDS + 2) / 2];
+    SHI_T a[2 * SH_MAX_BANDS * SH_MAX_BANDS];
     const size_t item = sizeof *coeffs, size = (size_t)bands * (size_t)bands;
     if (bands < 1 || bands > SH_MAX_BANDS) return SH_ERROR_BANDS;
     if (count == 0) return SH_OK;
@@ -3417,8 +3443,7 @@ SH_API int SHI_FN(sh_reconstruct_n)(int bands, const SHI_T *coeffs, size_t count
         || shi_overlap(dirs, 3 * count * item, grads, 3 * count * item)
         || shi_overlap(coeffs, size * item, values, count * item) || shi_overlap(coeffs, size * item, grads, 3 * count * item)
         || shi_overlap(values, count * item, grads, 3 * count * item)) return SH_ERROR_OVERLAP;
-    if (bands <= SH_UNROLLED_BANDS) SHI_MANY(shi_horner_form)(bands, coeffs, a);
-    else SHI_FN(shi_clenshaw_form)(bands, SHI_TOGETHER(grads != NULL), coeffs, a);
+    SHI_MANY(shi_sum_form)(bands, coeffs, a);
     if (grads) return SHI_WIDE(shi_sum_gradient)(bands, a, count, dirs, values, grads);
     return values ? SHI_WIDE(shi_sum_values)(bands, a, count, dirs, values) : SH_OK;
 }
@@ -4772,6 +4797,57 @@ static const SHI_T SHI_FN(shi_horner)[516] = {
     SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0),
     SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0),
     SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0)
+};
+/* [k(31-k) + m]: node k < (31-m)/2 of column m's form of Newton; and room to read a register */
+static const SHI_T SHI_FN(shi_node)[256] = {
+    SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0),
+    SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0),
+    SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0),
+    SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(1.0), SHI_C(0.7998046875),
+    SHI_C(0.6669921875), SHI_C(0.5712890625), SHI_C(0.5), SHI_C(0.4443359375), SHI_C(0.400390625),
+    SHI_C(0.36328125), SHI_C(0.3330078125), SHI_C(0.3076171875), SHI_C(0.2861328125), SHI_C(0.2666015625),
+    SHI_C(0.25), SHI_C(0.2353515625), SHI_C(0.22265625), SHI_C(0.2109375), SHI_C(0.2001953125),
+    SHI_C(0.1904296875), SHI_C(0.181640625), SHI_C(0.173828125), SHI_C(0.1669921875), SHI_C(0.16015625),
+    SHI_C(0.154296875), SHI_C(0.1484375), SHI_C(0.142578125), SHI_C(0.1376953125), SHI_C(0.1337890625),
+    SHI_C(0.12890625), SHI_C(0.5), SHI_C(0.3681640625), SHI_C(0.294921875), SHI_C(0.24609375),
+    SHI_C(0.2109375), SHI_C(0.7373046875), SHI_C(0.6923828125), SHI_C(0.6513671875), SHI_C(0.6142578125),
+    SHI_C(0.5810546875), SHI_C(0.5517578125), SHI_C(0.5244140625), SHI_C(0.5), SHI_C(0.4775390625),
+    SHI_C(0.45703125), SHI_C(0.4384765625), SHI_C(0.4208984375), SHI_C(0.404296875), SHI_C(0.3896484375),
+    SHI_C(0.3759765625), SHI_C(0.36328125), SHI_C(0.3505859375), SHI_C(0.33984375), SHI_C(0.3291015625),
+    SHI_C(0.3193359375), SHI_C(0.3095703125), SHI_C(0.2109375), SHI_C(0.970703125), SHI_C(0.923828125),
+    SHI_C(0.875), SHI_C(0.8291015625), SHI_C(0.1513671875), SHI_C(0.13671875), SHI_C(0.1240234375),
+    SHI_C(0.11328125), SHI_C(0.1044921875), SHI_C(0.09765625), SHI_C(0.0908203125), SHI_C(0.0849609375),
+    SHI_C(0.080078125), SHI_C(0.076171875), SHI_C(0.0712890625), SHI_C(0.068359375), SHI_C(0.064453125),
+    SHI_C(0.0615234375), SHI_C(0.0595703125), SHI_C(0.056640625), SHI_C(0.0546875), SHI_C(0.052734375),
+    SHI_C(0.05078125), SHI_C(0.8291015625), SHI_C(0.13671875), SHI_C(0.1103515625), SHI_C(0.0927734375),
+    SHI_C(0.080078125), SHI_C(0.8896484375), SHI_C(0.859375), SHI_C(0.8310546875), SHI_C(0.802734375),
+    SHI_C(0.7763671875), SHI_C(0.7509765625), SHI_C(0.7265625), SHI_C(0.7041015625), SHI_C(0.6826171875),
+    SHI_C(0.662109375), SHI_C(0.642578125), SHI_C(0.625), SHI_C(0.607421875), SHI_C(0.5908203125),
+    SHI_C(0.5751953125), SHI_C(0.560546875), SHI_C(0.5458984375), SHI_C(0.080078125), SHI_C(0.5966796875),
+    SHI_C(0.8115234375), SHI_C(0.7451171875), SHI_C(0.9345703125), SHI_C(0.0576171875), SHI_C(0.251953125),
+    SHI_C(0.2294921875), SHI_C(0.2109375), SHI_C(0.1953125), SHI_C(0.40625), SHI_C(0.3837890625),
+    SHI_C(0.3642578125), SHI_C(0.3466796875), SHI_C(0.3310546875), SHI_C(0.31640625), SHI_C(0.302734375),
+    SHI_C(0.2900390625), SHI_C(0.279296875), SHI_C(0.2685546875), SHI_C(0.9345703125), SHI_C(0.0517578125),
+    SHI_C(0.4638671875), SHI_C(0.9658203125), SHI_C(0.65234375), SHI_C(0.5859375), SHI_C(0.0439453125),
+    SHI_C(0.5185546875), SHI_C(0.486328125), SHI_C(0.8798828125), SHI_C(0.03515625), SHI_C(0.0322265625),
+    SHI_C(0.0302734375), SHI_C(0.8115234375), SHI_C(0.794921875), SHI_C(0.7783203125), SHI_C(0.7626953125),
+    SHI_C(0.7470703125), SHI_C(0.65234375), SHI_C(0.90625), SHI_C(0.984375), SHI_C(0.3857421875),
+    SHI_C(0.3388671875), SHI_C(0.2861328125), SHI_C(0.9365234375), SHI_C(0.037109375), SHI_C(0.9052734375),
+    SHI_C(0.033203125), SHI_C(0.869140625), SHI_C(0.8515625), SHI_C(0.8349609375), SHI_C(0.0283203125),
+    SHI_C(0.0263671875), SHI_C(0.025390625), SHI_C(0.3388671875), SHI_C(0.2568359375), SHI_C(0.0390625),
+    SHI_C(0.033203125), SHI_C(0.0283203125), SHI_C(0.95703125), SHI_C(0.55078125), SHI_C(0.9248046875),
+    SHI_C(0.033203125), SHI_C(0.4580078125), SHI_C(0.185546875), SHI_C(0.173828125), SHI_C(0.6044921875),
+    SHI_C(0.5830078125), SHI_C(0.0283203125), SHI_C(0.99609375), SHI_C(0.203125), SHI_C(0.6611328125),
+    SHI_C(0.9765625), SHI_C(0.0205078125), SHI_C(0.7763671875), SHI_C(0.7451171875), SHI_C(0.7138671875),
+    SHI_C(0.685546875), SHI_C(0.6591796875), SHI_C(0.634765625), SHI_C(0.9765625), SHI_C(0.490234375),
+    SHI_C(0.5732421875), SHI_C(0.1669921875), SHI_C(0.7392578125), SHI_C(0.814453125), SHI_C(0.083984375),
+    SHI_C(0.07421875), SHI_C(0.068359375), SHI_C(0.9404296875), SHI_C(0.7392578125), SHI_C(0.0185546875),
+    SHI_C(0.8740234375), SHI_C(0.9296875), SHI_C(0.1435546875), SHI_C(0.361328125), SHI_C(0.328125),
+    SHI_C(0.96484375), SHI_C(0.1435546875), SHI_C(0.7109375), SHI_C(0.0146484375), SHI_C(0.4697265625),
+    SHI_C(0.421875), SHI_C(0.66015625), SHI_C(0.421875), SHI_C(0.1943359375), SHI_C(0.380859375),
+    SHI_C(0.9912109375), SHI_C(0.88671875), SHI_C(0.8603515625), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0),
+    SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0),
+    SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0)
 };
 /* [l(l+1) + m]: shi_slope by coefficient */
 static const SHI_T SHI_FN(shi_line_slope)[100] = {

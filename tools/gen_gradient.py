@@ -14,6 +14,7 @@ mp.dps = 50
 TOP = 33            # highest l: 32 bands, and two more for the Hessians of moments
 POLYNOMIAL_BANDS = 10
 BANDS = 32
+NODES = (BANDS - 2) // 2
 
 
 def odd_factorial(k):                       # (2k-1)!!
@@ -65,6 +66,17 @@ def horner(m):
     return [[mpf(v.numerator) / v.denominator * norm(m + d, m) for v in row] for d, row in enumerate(rows)]
 
 
+def nodes(m):
+    """Column m's nodes of Newton's form in t = z^2, multiples of 1/1024: each where (1 - t)^(m/4), half the power that
+    the column is multiplied by, times the distances from those before is largest (Leja's points)."""
+    score = [(1024 - i) ** m for i in range(1025)]
+    found = []
+    for _ in range(NODES - m // 2):
+        found.append(max(range(1025), key=lambda i: score[i]))
+        score = [s * (i - found[-1]) ** 4 for i, s in enumerate(score)]
+    return [mpf(i) / 1024 for i in found]
+
+
 def profile(l):
     k = max(l, 1)
     return [mpf(l), mpf(l + 1), mpf(1 - 2 * l), 1 / mpf(k), 1 / mpf(k * (k + 1)), mpf(2 * l + 1), mpf(l * l - 1),
@@ -106,6 +118,8 @@ def block():
     pairs = [(l, m) for l in range(TOP + 1) for m in range(l + 1)]
     line = [(l, abs(m)) for l in range(POLYNOMIAL_BANDS) for m in range(-l, l + 1)]
     flat = [(polynomials[m][l - m] + [mpf(0)] * 5)[k] for k in range((POLYNOMIAL_BANDS + 1) // 2) for l, m in line]
+    newton = [nodes(m) for m in range(BANDS - 2)]
+    rows = sum(([newton[m][k] for m in range(BANDS - 2 - 2 * k)] for k in range(NODES)), [])
     return "\n".join([
         table("shi_beta", len(pairs), "[l(l+1)/2 + m]: monic q_l = z q_{l-1} - beta q_{l-2}",
               [frac(beta(l, m)) for l, m in pairs]),
@@ -122,6 +136,8 @@ def block():
         table("shi_zonal", TOP + 1, "[l]: Y_l0(+z) = sqrt((2l+1)/(4 pi))", [sqrt((2 * l + 1) / (4 * pi)) for l in range(TOP + 1)]),
         table("shi_horner", len(flat) + 16, "[100 k + l(l+1) + m]: q_l^|m| = z^((l-m)&1) sum_k c_k (z^2 - 1/2)^k, norm included; "
               "and room to read a register", flat + [mpf(0)] * 16),
+        table("shi_node", len(rows) + 16, "[k(31-k) + m]: node k < (31-m)/2 of column m's form of Newton; and room to read a register",
+              rows + [mpf(0)] * 16),
         table("shi_line_slope", len(line), "[l(l+1) + m]: shi_slope by coefficient", [sqrt(frac(slope2(l, m))) for l, m in line]),
     ])
 
