@@ -28,7 +28,7 @@
  * STATUS
  *     0 SH_OK; < 0 an error, outputs untouched; > 0 a defined degenerate case. Where each item has outputs of its own
  *     (_n, _blocks), a bad direction leaves its own untouched, the others are written, and the call returns the error of the
- *     last bad one. Checked in this order: bands, options, counts, NULL, overlap, data; a count of 0 needs no pointers.
+ *     last bad one. Of several mistakes in a call it returns one; a count of 0 needs no arrays.
  *     Nothing prints, allocates or keeps state; errno means nothing (libm may set it).
  *
  * CONFIG (define before the first include)

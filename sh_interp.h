@@ -369,17 +369,24 @@ SHI_INLINE int SHI_KN(shi_gather_dot)(size_t n, size_t terms, const ptrdiff_t *o
     size_t left = (n + lanes - 1) / lanes, now;
     const size_t rest = n - (left - 1) * lanes;     /* what the last vector does not share with the one before */
     SHI_T end[SHI_W];
-    SHI_V dot = SHI_SPLAT(SHI_C(0));
+    SHI_V dot, group = SHI_SPLAT(SHI_C(0)), total = group;      /* at most 8, 12 and 11 additions one after another */
+    int pass;
 
     if (n < lanes) return 0;
     memset(end, 0, sizeof end);
     memcpy(end + lanes - rest, transfer + n - rest, rest * sizeof *end);
-    for (; left; left -= now, n -= now * lanes, from += now * lanes, transfer += now * lanes) {
+    for (pass = 1; left; left -= now, n -= now * lanes, from += now * lanes, transfer += now * lanes, pass++) {
         const size_t last = (now = SHI_PASS(left)) == left ? n - lanes : (now - 1) * lanes;
         const SHI_T *const tail = now == left ? end : transfer + last;
+        dot = SHI_SPLAT(SHI_C(0));
         SHI_VECTORS(now, SHI_KN(shi_list_dot), last, terms, offset, w, from, transfer, tail, &dot)
+        group += dot;
+        if (pass % 12 == 0) {
+            total += group;
+            group = SHI_SPLAT(SHI_C(0));
+        }
     }
-    *value = SHI_SUM(dot);
+    *value = SHI_SUM(total + group);
     return 1;
 }
 #undef SHI_VECTORS
@@ -400,7 +407,7 @@ typedef struct {
 
 /* An axis as the queries see it: in cells from the origin, a query is clamped to low .. high and lies in cell
  * 0 .. top. An axis of one node has low = high = top = inverse = 0. */
-typedef struct { SHI_T origin, inverse, low, high, top; } SHI_FN(shi_range);
+typedef struct { SHI_T origin, inverse, low, high, edge, top; } SHI_FN(shi_range);
 
 /* Checks what a call is given beside its points, O(1), and prepares its stencil. */
 SHI_INLINE int SHI_FN(shi_grid_stencil)(const SHI_FN(shi_query) *c, shi_stencil *s)
@@ -446,7 +453,7 @@ SHI_INLINE size_t SHI_FN(shi_locate)(const SHI_FN(shi_range) *r, SHI_T point, SH
 
     *t = inside - (SHI_T)i;
     /* the last node, however it is rounded, is inside */
-    *rate = x >= r->low && x <= r->high * (1 + 4 * SHI_EPS) ? r->inverse : 0;
+    *rate = x >= r->low && x <= r->edge ? r->inverse : 0;
     return (size_t)i;
 }
 
@@ -478,6 +485,8 @@ SHI_INLINE void SHI_FN(shi_ranges)(const SHI_FN(shi_query) *c, SHI_FN(shi_range)
             range[a].inverse = 1 / c->grid->cell[a];
             range[a].low = -reach;
             range[a].high = (SHI_T)(c->grid->count[a] - 1) + reach;
+            range[a].edge = range[a].high * (1 + 4 * SHI_EPS)      /* where the last node may be rounded to */
+                          + SHI_EPS * SHI_LIBM(fabs)(range[a].origin) * range[a].inverse;
             range[a].top = (SHI_T)(c->grid->count[a] - 2);
         }
 }
@@ -579,13 +588,14 @@ SHI_NOINLINE int SHI_FN(shi_grid_call)(const SHI_FN(shi_query) *c)
  *   scheme     enum sh_scheme
  *   outside    SH_CLAMP: a point outside of the grid gets the coefficients of the nearest point inside;
  *              SH_EXTRAPOLATE: the border cell's polynomial, up to 1024 cells out and clamped there; the weights of Hermite
- *              schemes that far out times a cell must be in the range of T
+ *              schemes that far out times a cell, of SH_BLENDED_TAYLOR2 times two, must be in the range of T
  *   points     [count][3], any finite points
  *   coeffs     [count][channels][N], overlapping no input
  * Status SH_ERROR_NOT_FINITE: a point is not, its outputs are untouched, those of the others are written.
  * NaN among the coefficients of a node comes out of every query that reads the node.
- * Error:  <= 8 eps of the largest |value|, cell |slope|, cell^2 |Hessian| read (worst seen 2.2, SH_HERMITE_MIXED),
- *         at a point moved by 2 eps |point - origin|; extrapolated t cells out, times (1 + 2|t|)^3 per axis.
+ * Error:  <= 8 eps of the largest |value|, cell |slope|, cell^2 |Hessian| read, for the long sums of SH_HERMITE_MIXED and
+ *         SH_BLENDED_TAYLOR2 24 eps (worst seen 2.2, for data looked for 16), at a point moved by 2 eps |point - origin|;
+ *         extrapolated t cells out, times (1 + 2|t|)^3 per axis.
  *         One call's point has the bits that it has in any batch.
  * Source: the table on top; M22 5.1 for the grid, A04 Eq. 15 for SH_BLENDED_TAYLOR with the cell's weights. */
 SH_API int SHI_FN(sh_grid_interp_n)(int bands, int planes, int channels, const SHI_FN(sh_grid) *grid,
@@ -607,9 +617,9 @@ SH_API int SHI_FN(sh_grid_interp)(int bands, int planes, int channels, const SHI
 /* The interpolant with its exact derivatives by the point, in the layout of a node with gradients: a grid resampled
  * is a grid, and a point interpolated is a sample for sh_sample_taylor.
  *   out   [count][channels][4][N]: coefficients (the bits of sh_grid_interp), d/dx, d/dy, d/dz; overlapping no input
- * Derivatives across the border of a clamped query are 0, on the border they are those of its cell. At an
+ * Derivatives across the border of a clamped query are 0, on the border, wherever rounding puts it, those of its cell. At an
  * inner face of a C0 scheme they are those of one of its two cells: which, is a matter of rounding.
- * Error:  <= 16 eps of the largest datum as above, per cell size.
+ * Error:  <= 16 eps of the largest datum as above, per cell size; SH_HERMITE_MIXED and SH_BLENDED_TAYLOR2 80 eps.
  * Source: the same sums with the weights' derivatives. */
 SH_API int SHI_FN(sh_grid_gradient_n)(int bands, int planes, int channels, const SHI_FN(sh_grid) *grid,
                                       const SHI_T *nodes, int scheme, int outside, size_t count,
@@ -701,7 +711,7 @@ SHI_NOINLINE int SHI_FN(shi_samples)(int bands, int planes, int channels, SHI_T 
     const size_t n = (size_t)(bands > 0 ? bands : 0) * (size_t)(bands > 0 ? bands : 0);
     const size_t out = n * (size_t)(channels > 0 ? channels : 0) * sizeof(SHI_T);
     size_t block, j, done, k, i, channel;
-    SHI_T nearest = 0, total = 0, d[3], w[SHI_TERMS * SH_BLOCK], part[SH_MAX_BANDS * SH_MAX_BANDS];
+    SHI_T nearest = 0, total = 0, d[3], sums[8 * sizeof(size_t)], w[SHI_TERMS * SH_BLOCK], part[SH_MAX_BANDS * SH_MAX_BANDS];
     ptrdiff_t offset[SHI_TERMS];
 
     if (bands < 1 || bands > SH_MAX_BANDS) return SH_ERROR_BANDS;
@@ -717,13 +727,17 @@ SHI_NOINLINE int SHI_FN(shi_samples)(int bands, int planes, int channels, SHI_T 
     for (j = 0; j < count; j++) {
         const SHI_T r = SHI_FN(shi_difference)(point, samples + 3 * j, d);
         if (r < 0) return SH_ERROR_NOT_FINITE;
-        /* weights relative to the nearest sample's: 1 for it, at most 1 for the others, whatever the distances */
-        if (j == 0 || r < nearest) {
-            total = j && r > 0 ? total * SHI_FN(shi_falloff)(r, nearest, power) : 0;
-            nearest = r;
-        }
-        total += SHI_FN(shi_falloff)(nearest, r, power);
+        if (j == 0 || r < nearest) nearest = r;
     }
+    /* weights relative to the nearest sample's: 1 for it, at most 1 for the others, whatever the distances; added up in pairs,
+     * pairs of pairs and so on: sums[i] is that of 2^i samples where bit i of j is set */
+    for (j = 0; j < count; j++) {
+        SHI_T sum = SHI_FN(shi_falloff)(nearest, SHI_FN(shi_difference)(point, samples + 3 * j, d), power);
+        for (i = 0; j >> i & 1; i++) sum += sums[i];
+        sums[i] = sum;
+    }
+    for (i = 0; count >> i; i++)
+        if (count >> i & 1) total += sums[i];
     for (done = 0; done < count; done = j) {
         for (j = done, k = 0; j < count && k + (size_t)planes <= SHI_TERMS; j++) {
             const SHI_T r = SHI_FN(shi_difference)(point, samples + 3 * j, d);
@@ -757,8 +771,9 @@ SHI_NOINLINE int SHI_FN(shi_samples)(int bands, int planes, int channels, SHI_T 
  *   blocks    [count][channels][planes][N]
  *   coeffs    [channels][N], overlapping no input
  *   point     [3]
- * At a sample the blend is that sample, to the bit (Eq. 16 is 0/0 there), if all data are finite; samples in one place
- * share its weight. Polynomials of the samples' order are reproduced. Cost: count * planes reads of N numbers, so choose few.
+ * At a sample the blend is that sample, to the bit but for the sign of zero (Eq. 16 is 0/0 there), if all data are finite;
+ * samples in one place share its weight. Polynomials of the samples' order are reproduced. Cost: count * planes reads of N
+ * numbers, so choose few.
  * Error:  <= (12 + 2 power + count/64) eps of the largest |f_j| + |g_j| |d_j| + |H_j| |d_j|^2/2, 2-norms.
  * Source: A04 Eq. 14-16. */
 SH_API int SHI_FN(sh_samples_blend)(int bands, int planes, int channels, SHI_T power, size_t count,

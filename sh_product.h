@@ -24,8 +24,8 @@
  *             Stack, f64 (f32): triple product 52 KiB (35), sh_minimum and sh_dering 130 KiB (70), the others 27 KiB at most.
  *
  * ERROR       eps and M_l as in sh_gradient.h; c = the input vector, |.| its 2-norm, worst over the output: rotation and cosine
- *             products 16 eps |c| to 6 bands, 40 eps |c| to 16; triple product the same with |a| |b|. Worst seen is
- *             3.1 eps |c| (docs/products.md); `make test` prints it.
+ *             products 16 eps |c| to 6 bands, 40 eps |c| to 16; triple product the same with |a| |b|. `make test` sees at
+ *             most 3.1 eps |c| (docs/products.md).
  *
  * SOURCES     MP21  Mezieres, Paulin, Efficient spherical harmonic shading for separable BRDF (2021)
  *             KSS02 Kautz, Sloan, Snyder, Fast, arbitrary BRDF shading (2002): rotation as zxzxz
@@ -108,7 +108,7 @@ SHI_INLINE int shi_euler(const double m[9], double tolerance, double cs[6])
     return SH_OK;
 }
 
-/* From the integrals of a function of z times P_l to its coefficients over 2 pi: times sqrt((2l+1)/4pi). */
+/* From the integrals of 2 pi times a function of z times P_l to its coefficients: times sqrt((2l+1)/4pi). */
 SHI_INLINE void shi_zonal_scale(int bands, double *zh)
 {
     const double over_four_pi = 0.07957747154594767;
@@ -116,13 +116,13 @@ SHI_INLINE void shi_zonal_scale(int bands, double *zh)
     for (l = 0; l < bands; l++) zh[l] *= sqrt((2 * l + 1) * over_four_pi);
 }
 
-/* Coefficients of max(0, z)^s over 2 pi, from the integrals of z^s P_l over [0,1]. */
+/* Coefficients of (s+1)/(2 pi) max(0, z)^s, from the integrals of (s+1) z^s P_l over [0,1]. */
 SHI_INLINE void shi_zonal_power(int bands, double s, double *zh)
 {
     int l;
     for (l = 0; l < bands; l++) {
         const double less = (2 * l - 1) / (s + l + 1);      /* one rounding a step where it is small, not four */
-        zh[l] = l == 0 ? 1 / (s + 1) : l == 1 ? 1 / (s + 2)
+        zh[l] = l == 0 ? 1 : l == 1 ? (s + 1) / (s + 2)
               : less < 0.5 ? zh[l - 2] - zh[l - 2] * less : zh[l - 2] * (s - (l - 2)) / (s + l + 1);
     }
     shi_zonal_scale(bands, zh);
@@ -163,7 +163,7 @@ SHI_INLINE double shi_window(int kind, double width, int l)
     if (l == 0) return 1;
     if (kind == SH_GAUSS) return exp(-0.5 * x * x * (l + 1) / l);
     if (l >= width) return 0;
-    return kind == SH_HANN ? 0.5 * (1 + cos(x)) : sin(x) / x;
+    return kind == SH_HANN ? 0.5 * (1 + cos(x)) : x > 0 ? sin(x) / x : 1;
 }
 
 /* Step downhill on the unit sphere from v, where a function has these Cartesian derivatives (hess xx xy xz yy yz zz):
@@ -1828,7 +1828,7 @@ SH_API int SHI_FN(sh_zonal_cosine)(int bands, SHI_T *zh)
     if (bands < 1 || bands > SH_MAX_BANDS) return SH_ERROR_BANDS;
     if (!zh) return SH_ERROR_NULL;
     shi_zonal_power(bands, 1, z);
-    for (l = 0; l < bands; l++) zh[l] = (SHI_T)(SHI_TAU * z[l]);
+    for (l = 0; l < bands; l++) zh[l] = (SHI_T)(SHI_PI * z[l]);
     return SH_OK;
 }
 
@@ -1843,7 +1843,7 @@ SH_API int SHI_FN(sh_zonal_phong)(int bands, SHI_T s, SHI_T *zh)
     if (!SHI_FN(shi_finite)(&s, 1) || !(s >= 0)) return SH_ERROR_OPTION;
     if (!zh) return SH_ERROR_NULL;
     shi_zonal_power(bands, (double)s, z);
-    for (l = 0; l < bands; l++) zh[l] = (SHI_T)(((double)s + 1) * z[l]);
+    for (l = 0; l < bands; l++) zh[l] = (SHI_T)z[l];
     return SH_OK;
 }
 
@@ -1958,7 +1958,7 @@ SH_API int SHI_FN(sh_cosine_product_zonal)(int bands, int zonal_bands, const SHI
  *   bands        1 to what the system has
  *   ours         [N]
  *   theirs       [sh_convention_size(convention, bands)], apart from ours
- * Error:  none where the systems differ in order, sign and axes; else each number is within one eps, also there and back.
+ * Error:  none where the systems differ in order, sign and axes; else each number is within one eps (sn3d: 1.5), there and back too.
  *         Forms that mix coefficients (unity-packed, babylon-polynomial): within 8 eps of the largest of them. */
 SH_API int SHI_FN(sh_convert_to)(int convention, int bands, const SHI_T *ours, SHI_T *theirs)
 {
@@ -2195,7 +2195,7 @@ SHI_NOINLINE SHI_T SHI_FN(shi_lowest)(int bands, const SHI_T *c, int negative, S
 {
     SHI_FN(shi_spiral) s;
     SHI_T best, lowest = 0, highest = 0;
-    int first, end, i, k, next = 0;
+    int first, end, i, k, next = 0, descended = 0;
 
     s.points = 24 * bands * bands + 64;
     s.reach = (int)sqrt(8.0 * s.points) + 1;
@@ -2220,7 +2220,8 @@ SHI_NOINLINE SHI_T SHI_FN(shi_lowest)(int bands, const SHI_T *c, int negative, S
             if (!SHI_FN(shi_is_lowest)(&s, next)) continue;
             for (k = 0; k < 3; k++) u[k] = s.dirs[3 * (next % SHI_KEPT) + k];
             value = SHI_FN(shi_descend)(bands, c, u);
-            if (value < best || best == lowest) {           /* the first one takes the place of the sample */
+            if (!descended || value < best) {               /* the first one takes the place of the sample */
+                descended = 1;
                 best = value;
                 for (k = 0; k < 3; k++) where[k] = u[k];
             }

@@ -286,7 +286,8 @@ static void F(euler_and_laplace)(void **state)
     row_close(wl);
 }
 
-/* sh_reconstruct against the sum over the reference basis, directions of any length; one and many alike. */
+/* sh_reconstruct against the sum over the reference basis: all coefficients, those of one order, and one of the last band;
+ * directions of any length; one and many alike. */
 static void F(reconstruct)(void **state)
 {
     row *wv = row_open("sh_reconstruct value", PRECISION), *wg = row_open("sh_reconstruct gradient", PRECISION);
@@ -297,8 +298,12 @@ static void F(reconstruct)(void **state)
     for (bands = 1; bands <= SH_MAX_BANDS; bands++)
         for (turn = 0; turn < effort(12); turn++) {
             const size_t count = (size_t)(turn % 12 * 3 + 1);
+            const int order = (int)lroundl(ref_between(-(bands - 1), bands - 1));
             size_t j;
-            for (i = 0; i < bands * bands; i++) c[i] = (T)ref_between(-1, 1);
+            for (i = 0; i < bands * bands; i++) {
+                const int l = ref_band(i), m = i - l * (l + 1);
+                c[i] = turn % 3 == 0 || (m == order && (turn % 3 == 1 || l == bands - 1)) ? (T)ref_between(-1, 1) : 0;
+            }
             for (j = 0; j < count; j++) {
                 long double unused;
                 F(random_vector)(dirs + 3 * j, p, &unused);

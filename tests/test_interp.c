@@ -645,6 +645,18 @@ static void F(fused)(void **state)
         }
         free(nodes); free(less); free(c); free(d); free(transfer);
     }
+    for (turn = 0; turn < effort(200); turn++) {         /* equal products of one sign, whose roundings agree */
+        static T ones[SH_MAX_BANDS * SH_MAX_BANDS], transfer[SH_MAX_BANDS * SH_MAX_BANDS];
+        const GRID one = { { 0, 0, 0 }, { 1, 1, 1 }, { 1, 1, 1 } };
+        const T x = (T)ref_between(.5, 1), point[3] = { 0, 0, 0 };
+        T got;
+        int k;
+        bands = turn % 2 ? 32 : 16;
+        for (k = 0; k < bands * bands; k++) ones[k] = 1, transfer[k] = x;
+        assert_int_equal(F(sh_grid_dot)(bands, X, 1, &one, ones, SH_TRILINEAR, SH_CLAMP, point, transfer, &got), SH_OK);
+        row_case("bands %d, all transfers %.9g", bands, (double)x);
+        CHECK(r, got, bands * bands * (long double)x, 16 * LEPS * bands * bands * (long double)x, 0);
+    }
     row_close(r);
     row_close(q);
 }
@@ -672,12 +684,14 @@ static void F(last_face)(void **state)
         static const T nodes[4] = { 0, 1, 2, 3 };
         F(sh_grid) grid = { { 0, 0, 0 }, { 1, 1, 1 }, { 4, 1, 1 } };
         T point[3] = { 0, 0, 0 }, out[4];
+        long double moved;
         grid.cell[0] = (T)ref_log_between(1e-3, 1e3);
-        grid.origin[0] = turn % 2 ? 0 : (T)ref_between(-1, 1) * grid.cell[0];
+        grid.origin[0] = turn % 2 ? 0 : (T)ref_between(-1, 1) * grid.cell[0] * (T)(turn % 4 ? 1 : 10000);
         point[0] = grid.origin[0] + 3 * grid.cell[0];
+        moved = (long double)EPS * fabsl((long double)grid.origin[0] / (long double)grid.cell[0]);
         assert_int_equal(F(sh_grid_gradient)(1, SH_VALUES, 1, &grid, nodes, SH_TRILINEAR, SH_CLAMP, point, out), SH_OK);
-        row_case("cell %.9g", (double)grid.cell[0]);
-        CHECK(r, out[0], 3, 16 * 3 * LEPS, 0);
+        row_case("origin %.9g, cell %.9g", (double)grid.origin[0], (double)grid.cell[0]);
+        CHECK(r, out[0], 3, 16 * 3 * LEPS + moved, 0);
         CHECK(r, out[1], 1 / (long double)grid.cell[0], 16 * 3 * LEPS / (long double)grid.cell[0], 1);
         assert_int_equal(F(sh_grid_gradient)(1, SH_VALUES, 1, &grid, nodes, SH_TRILINEAR, SH_CLAMP, grid.origin, out), SH_OK);
         CHECK(r, out[1], 1 / (long double)grid.cell[0], 16 * 3 * LEPS / (long double)grid.cell[0], 2);
@@ -691,6 +705,7 @@ static void F(scattered)(void **state)
     enum { COUNT = 50, N = 9, CHANNELS = 2 };
     row *r = row_open("Taylor series and blends", PRECISION), *q = row_open("a blend at a sample", PRECISION);
     row *g = row_open("gradient of a blend at a sample", PRECISION), *far = row_open("blend of two, Eq. 16", PRECISION);
+    row *ring = row_open("blend of ones", PRECISION);
     static T samples[3 * COUNT], blocks[COUNT * CHANNELS * X * N], got[CHANNELS * N], got2[CHANNELS * N];
     static const int stored[3] = { SH_VALUES, SH_GRADIENT, SH_HESSIAN };
     int order, turn, i, k, a, c, p, count;
@@ -763,6 +778,21 @@ static void F(scattered)(void **state)
             CHECK(far, value, (4 * 9 + 8) / 10.L, 8 * 8 * LEPS, 0);
         }
     }
+    for (turn = 0; turn < effort(400); turn++) {        /* ones: a near sample among many at one distance; ever nearer ones */
+        enum { MANY = 4096 };
+        static T line[3 * MANY], ones[MANY];
+        const int many = turn % 8 == 0 ? MANY : (int)ref_log_between(2, 600);
+        const T start = (T)ref_between(1, 6), power = (T)(turn % 2 ? ref_between(.5, 2) : ref_between(2, 64)), at[3] = { 0, 0, 0 };
+        T value;
+        for (i = 0; i < many; i++) {
+            line[3 * i] = turn % 4 < 2 ? i ? start : 1 : start * (1 + (T)(many - i) / (T)(8 * many));
+            ones[i] = 1;
+        }
+        assert_int_equal(F(sh_samples_blend)(1, 1, 1, power, (size_t)many, line, ones, at, &value), SH_OK);
+        row_case("%d ones, power %g, from %.9g, kind %d", many, (double)power, (double)start, turn % 4);
+        CHECK(ring, value, 1, (12 + 2 * (long double)power + many / 64) * LEPS, 0);
+    }
+    row_close(ring);
     row_close(r);
     row_close(q);
     row_close(g);

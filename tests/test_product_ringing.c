@@ -65,7 +65,7 @@ static long double lowest_of_profile(int bands, const long double *zh)
 int main(void)
 {
     const struct CMUnitTest tests[] = { BOTH_TESTS(windows), BOTH_TESTS(minimum), BOTH_TESTS(rings),
-                                        BOTH_TESTS(wells),   BOTH_TESTS(dering) };
+                                        BOTH_TESTS(wells),   BOTH_TESTS(bottom), BOTH_TESTS(dering) };
     return RUN_TESTS(tests);
 }
 
@@ -219,6 +219,33 @@ static void F(wells)(void **state)
         row_case("bands %d, a %g, p %g, turn %d", bands, (double)a, (double)p, turn);
         assert_int_equal(F(sh_minimum)(bands, c, NULL, &value), SH_OK);
         row_check(w, (long double)value, low, 40 * (long double)EPS * sqrtl(norm) * bands / 3.5L, 0);
+    }
+    row_close(w);
+}
+
+/* Two wells, the deeper one's lowest point at one of the search's samples: its descent ends where it began. */
+static void F(bottom)(void **state)
+{
+    row *w = row_open("minimum at a sample", PRECISION);
+    int turn, k;
+    (void)state;
+    for (turn = 0; turn < effort(300); turn++) {
+        const int bands = 3 + turn % 4, n = bands * bands, points = 24 * n + 64, i = (int)(ref_random() * points);
+        const double z = 1 - (2 * i + 1.0) / points, r = sqrt(1 - z * z), turned = 2.399963229728653 * i;
+        const T u[3] = { (T)(r * cos(turned)), (T)(r * sin(turned)), (T)z }, opposite[3] = { -u[0], -u[1], -u[2] };
+        T zh[6], deep[36], other[36], c[36], at, value;
+        long double norm = 0;
+        F(sh_zonal_phong)(bands, 8, zh);
+        F(sh_zonal_rotate)(bands, zh, u, deep);
+        F(sh_zonal_rotate)(bands, zh, opposite, other);
+        for (k = 0; k < n; k++) {
+            c[k] = -deep[k] - (T)0.95 * other[k];
+            norm += (long double)c[k] * (long double)c[k];
+        }
+        F(sh_reconstruct)(bands, c, u, &at, NULL);
+        assert_int_equal(F(sh_minimum)(bands, c, NULL, &value), SH_OK);
+        row_case("bands %d, sample %d", bands, i);
+        row_check(w, fmaxl(0, (long double)value - (long double)at), 0, 40 * (long double)EPS * sqrtl(norm) * bands / 3.5L, 0);
     }
     row_close(w);
 }
