@@ -14,12 +14,12 @@ HEADERS  := sh_gradient.h sh_polygon.h sh_interp.h sh_product.h
 # each folder's rules.mk adds to these
 ALL_TARGETS  :=
 TEST_TARGETS :=
-TABLE_CHECKS := check-tables-gradient
+TABLE_CHECKS :=
 
 .PHONY: all deps test demo gl-demo gl-bench bench bench-quick fuzz tables check-tables sizes install clean help
-.PHONY: tables-gradient check-tables-gradient
 
-# The rules look up what is installed while they are read: `make deps demo` on a bare machine installs before that.
+# The rules look up what is installed while they are read: `make deps demo` on a bare machine installs before that
+# (not with make -n).
 ifneq ($(filter deps,$(MAKECMDGOALS)),)
 ifeq ($(findstring n,$(firstword -$(MAKEFLAGS))),)
 ifneq ($(shell sh tools/deps.sh >&2 || echo failed),)
@@ -30,20 +30,9 @@ endif
 
 include $(sort $(wildcard tests/rules.mk bench/rules.mk tools/rules.mk examples/*/rules.mk))
 
-# the headers on WebAssembly's SIMD, in node
-TEST_TARGETS += test-wasm
-.PHONY: test-wasm
-test-wasm: ; @sh tests/wasm/run.sh $(BUILD)/wasm
-
 all: $(ALL_TARGETS)
 test: $(TEST_TARGETS) check-tables
 check-tables: $(TABLE_CHECKS)
-
-tables: tables-gradient
-tables-gradient:
-	$(PYTHON) tools/gen_gradient.py
-check-tables-gradient:
-	$(PYTHON) tools/gen_gradient.py --check
 
 $(BUILD):
 	mkdir -p $@

@@ -173,7 +173,7 @@ enum {
 #  endif
 #endif
 
-#define SHI_STAGE 32768                                 /* bytes of stack that plain batches stage blocks in: one, or as many as ... */
+#define SHI_STAGE 32768                                 /* bytes of stack that batches stage blocks in: one, or as many as ... */
 #define SHI_WARM (SHI_STAGE / 4)                        /* ... leave the first cache room for what they become; ... */
 #define SHI_BIG_STAGE 131072                            /* ... of many bands one may take so many */
 #define SHI_POOL 720                                    /* vectors on the stack: weights of a block of lights ... */
@@ -186,10 +186,10 @@ enum {
 #  define SHI_ABREAST 4
 #endif
 #define SHI_PROFILE 9                                   /* numbers per band in shi_profile */
-#define SHI_ROWS(l, m) ((l) * ((l) + 1) / 2 + (m))      /* index into tables by band and m */
+#define SHI_TABLE_AT(l, m) ((l) * ((l) + 1) / 2 + (m))      /* index into tables by band and m */
 
-#define SHI_LINE 100                                    /* coefficients of SHI_POLYNOMIAL_BANDS bands */
-#define SHI_HORNER(l, m, k) (SHI_FN(shi_horner)[(k) * SHI_LINE + (l) * ((l) + 1) + (m)])
+#define SHI_POLYNOMIAL_SIZE 100                         /* coefficients of SHI_POLYNOMIAL_BANDS bands */
+#define SHI_HORNER(l, m, k) (SHI_FN(shi_horner)[(k) * SHI_POLYNOMIAL_SIZE + (l) * ((l) + 1) + (m)])
 /* index into what shi_sum_form fills, and to the node of its Newton's form */
 #define SHI_FORM_AT(parity, k, sign, m) ((((parity) * (SH_MAX_BANDS / 2) + (k)) * 2 + (sign)) * SH_MAX_BANDS + (m))
 #define SHI_NODES(k, m) ((k) * (SH_MAX_BANDS - 1 - (k)) + (m))
@@ -202,7 +202,8 @@ enum {
 #define SHI_Y00          0.28209479177387814347
 
 /* sums take at least a column at a time, of 34 bands or of 12 in three channels, weights at least a vector */
-typedef char shi_sums_fit[SHI_SUMS >= 2 * 6 * (SH_MAX_BANDS + 2) && SHI_SUMS >= 3 * 2 * 6 * 12 && SHI_POOL >= (2 + 6) * (SH_MAX_BANDS + 2) + 1 ? 1 : -1];
+typedef char shi_sums_fit[SHI_SUMS >= 2 * 6 * (SH_MAX_BANDS + 2) && SHI_SUMS >= 3 * 2 * 6 * 12
+                          && SHI_POOL >= (2 + 6) * (SH_MAX_BANDS + 2) + 1 ? 1 : -1];
 
 #define SHI_CAT_(a, b) a##b
 #define SHI_CAT(a, b)  SHI_CAT_(a, b)
@@ -235,7 +236,7 @@ typedef char shi_sums_fit[SHI_SUMS >= 2 * 6 * (SH_MAX_BANDS + 2) && SHI_SUMS >= 
  *     SHI_FN(x)           x_f32 or x_f64, what exists once per precision
  *     SHI_KN(x)           x_f32x8: x once per lane type. From outside: SHI_ONE(x) of one lane, SHI_MANY(x) of a register,
  *                         SHI_WIDE(x) of the widest
- *     SHI_BN(x)           x_fixed or x_any, in the basis room: for a constant band count, its loops (SHI_LOOP) unrolled, and for any
+ *     SHI_BN(x)           in the basis room x_fixed or x_any: for a constant band count, loops (SHI_LOOP) unrolled, and for any
  *     SHI_KERNEL          always inline;  SHI_INLINE may be;  SHI_NOINLINE never, where it keeps registers or stack apart */
 #define SHI_W           SHI_LANES
 #define SHI_KN(name)    SHI_CAT(SHI_CAT(SHI_FN(name), x), SHI_LANES)
@@ -298,7 +299,7 @@ SHI_INLINE int shi_overlap(const void *a, size_t a_bytes, const void *b, size_t 
 }
 
 /* band and order of coefficient i, of the first 10 bands; constants where loops are unrolled */
-static const signed char shi_band_of[SHI_LINE] = {
+static const signed char shi_band_of[SHI_POLYNOMIAL_SIZE] = {
     0,
     1, 1, 1,
     2, 2, 2, 2, 2,
@@ -310,7 +311,7 @@ static const signed char shi_band_of[SHI_LINE] = {
     8, 8, 8, 8, 8, 8, 8, 8, 8, 8, 8, 8, 8, 8, 8, 8, 8,
     9, 9, 9, 9, 9, 9, 9, 9, 9, 9, 9, 9, 9, 9, 9, 9, 9, 9, 9
 };
-static const signed char shi_order_of[SHI_LINE] = {
+static const signed char shi_order_of[SHI_POLYNOMIAL_SIZE] = {
     0,
     -1, 0, 1,
     -2, -1, 0, 1, 2,
@@ -663,7 +664,7 @@ SHI_KERNEL void SHI_KN(shi_zip)(SHI_V a, SHI_V b, SHI_V *lo, SHI_V *hi)
 /* for one direction with its coefficients in the lanes: lane numbers come from loops, and are constants once those are
  * unrolled */
 #if defined(SHI_SHUFFLE) && defined(SHI_MANY_LANES) && SHI_LANES >= 4
-#define SHI_LINES
+#define SHI_BY_LINE
 /* lane i: of a and b side by side, lane from[i] */
 SHI_KERNEL SHI_V SHI_KN(shi_choose)(SHI_V a, SHI_V b, SHI_M from)
 {
@@ -690,7 +691,7 @@ SHI_KERNEL SHI_V SHI_KN(shi_blend)(const int *flags, SHI_V a, SHI_V b)
     SHI_M m;
     int i;
     SHI_UNROLL
-#if defined(SHI_LINES) && !defined(__clang__)
+#if defined(SHI_BY_LINE) && !defined(__clang__)
     for (i = 0; i < SHI_W; i++) lane[i] = flags[i] ? i : SHI_W + i;
     memcpy(&m, lane, sizeof m);
     return SHI_KN(shi_choose)(a, b, m);
@@ -1389,22 +1390,22 @@ SHI_NOINLINE int SHI_KN(shi_plain_big)(int n, int planes, size_t count, const SH
 }
 
 /* y, dt, dp [N][W] */
-SHI_NOINLINE int SHI_KN(shi_angles_to)(int n, const SHI_V f[4], SHI_T *y, SHI_T *dt, SHI_T *dp)
+SHI_NOINLINE int SHI_KN(shi_angles_from)(int n, const SHI_V f[4], SHI_T *y, SHI_T *dt, SHI_T *dp)
 {
     SHI_BANDS(n, SHI_KN(shi_angles_fixed), SHI_KN(shi_angles_any), f, y, dt, dp)
 }
 
 /* one direction: y, dt, dp [N] */
-SHI_NOINLINE int SHI_KN(shi_angle_to)(int n, const SHI_T f[4], SHI_T *y, SHI_T *dt, SHI_T *dp)
+SHI_NOINLINE int SHI_KN(shi_single_angles_from)(int n, const SHI_T f[4], SHI_T *y, SHI_T *dt, SHI_T *dp)
 {
-#if defined(SHI_LINES)
-    SHI_BANDS(n, SHI_KN(shi_line_angles), SHI_ONE(shi_angles_to), f, y, dt, dp)
+#if defined(SHI_BY_LINE)
+    SHI_BANDS(n, SHI_KN(shi_line_angles), SHI_ONE(shi_angles_from), f, y, dt, dp)
 #else
-    return SHI_ONE(shi_angles_to)(n, f, y, dt, dp);
+    return SHI_ONE(shi_angles_from)(n, f, y, dt, dp);
 #endif
 }
 /* the same from the angles, y, dt, dp may be NULL */
-SHI_NOINLINE int SHI_KN(shi_angle)(int n, SHI_T theta, SHI_T phi, SHI_T *y, SHI_T *dt, SHI_T *dp)
+SHI_NOINLINE int SHI_KN(shi_single_angles)(int n, SHI_T theta, SHI_T phi, SHI_T *y, SHI_T *dt, SHI_T *dp)
 {
     SHI_T discard[SH_MAX_BANDS * SH_MAX_BANDS], f[4];
     if (!SHI_FN(shi_finite)(&theta, 1) || !SHI_FN(shi_finite)(&phi, 1)) return SH_ERROR_NOT_FINITE;
@@ -1421,7 +1422,7 @@ SHI_NOINLINE int SHI_KN(shi_angle)(int n, SHI_T theta, SHI_T phi, SHI_T *y, SHI_
         f[3] = s[1];
     }
 #endif
-    return SHI_KN(shi_angle_to)(n, f, y ? y : discard, dt ? dt : discard, dp ? dp : discard);
+    return SHI_KN(shi_single_angles_from)(n, f, y ? y : discard, dt ? dt : discard, dp ? dp : discard);
 }
 
 /* theta[count], phi[count] to y, dt, dp [count][N] or NULL; stage[3][N][W] */
@@ -1439,15 +1440,15 @@ SHI_KERNEL int SHI_KN(shi_angles_with)(int n, size_t count, const SHI_T *theta, 
         if (!SHI_FN(shi_finite)(theta + p, (size_t)lanes) || !SHI_FN(shi_finite)(phi + p, (size_t)lanes)) {
             for (i = 0; i < lanes; i++) {
                 const size_t at = p + (size_t)i;
-                const int bad = SHI_KN(shi_angle)(n, theta[at], phi[at], y ? y + at * step : NULL, dt ? dt + at * step : NULL,
-                                                  dp ? dp + at * step : NULL);
+                const int bad = SHI_KN(shi_single_angles)(n, theta[at], phi[at], y ? y + at * step : NULL,
+                                                          dt ? dt + at * step : NULL, dp ? dp + at * step : NULL);
                 status = bad ? bad : status;
             }
             continue;
         }
         SHI_KN(shi_cos_sin)(SHI_KN(shi_load_some)(theta + p, lanes), &f[0], &f[1]);
         SHI_KN(shi_cos_sin)(SHI_KN(shi_load_some)(phi + p, lanes), &f[2], &f[3]);
-        SHI_KN(shi_angles_to)(n, f, stage, stage + size * SHI_W, stage + 2 * size * SHI_W);
+        SHI_KN(shi_angles_from)(n, f, stage, stage + size * SHI_W, stage + 2 * size * SHI_W);
         for (k = 0; k < 3; k++)
             if (out[k])
                 SHI_KN(shi_transpose_block)(stage + k * size * SHI_W, SHI_W, size, out[k] + p * step, step, lanes);
@@ -1478,7 +1479,7 @@ SHI_KERNEL int SHI_KN(shi_single_beyond)(int n, int planes, const SHI_T *v, SHI_
 {
     return SHI_KN(shi_single_any)(n, planes, v, y, 1, g, planes == SH_GRADIENT, g, 0);
 }
-#if !defined(SHI_LINES)
+#if !defined(SHI_BY_LINE)
 SHI_KERNEL int SHI_KN(shi_one_line)(int n, int planes, const SHI_T *v, SHI_T *y, SHI_T *g)
 {
     return SHI_KN(shi_one_fixed)(n, planes, v, y, 1, g, planes == SH_GRADIENT, g, 0);
@@ -1583,8 +1584,8 @@ SHI_NOINLINE int SHI_KN(shi_sum_form_any)(int n, const SHI_T *coeffs, SHI_T *a)
         }
         for (l = first; l < n; l++) {
             SHI_V *const q0 = q[l & 1], *const q1 = q[!(l & 1)], c, s;
-            const SHI_V norm = SHI_LOAD(SHI_FN(shi_norm) + SHI_ROWS(l, first));
-            const SHI_V minus_beta = -SHI_LOAD(SHI_FN(shi_beta) + SHI_ROWS(l, first));
+            const SHI_V norm = SHI_LOAD(SHI_FN(shi_norm) + SHI_TABLE_AT(l, first));
+            const SHI_V minus_beta = -SHI_LOAD(SHI_FN(shi_beta) + SHI_TABLE_AT(l, first));
             const SHI_V even = SHI_LOAD(alternating + ((l + first) & 1)), odd = SHI_SPLAT(1) - even;
             SHI_V before = SHI_LOAD(one_hot + (l - first < SHI_W ? 15 - (l - first) : 16));      /* q_m^m = 1 */
             SHI_KN(shi_band_pairs)(n, coeffs, l, first, &c, &s);
@@ -1781,6 +1782,7 @@ SHI_NOINLINE int SHI_KN(shi_sum_gradient)(int n, const SHI_T *a, size_t count, c
 /* ---- sums of spherical lights at a point ---- */
 
 #define SHI_ALL_KINDS 6
+#define SHI_EXTRA_BANDS(kinds) ((kinds) == 1 ? 0 : (kinds) == 3 ? 1 : 2)
 /* Moments of a band j: sums over lights of weight(l) Y_jm. A light at distance rho has the coefficients f_l(rho) Y_lm, and
  * by the recurrences of x_k Y_lm its gradient (M22 Eq. 12) is a combination of w- Y_{l-1} and w+ Y_{l+1}, w- = f' + (l+1)
  * f/rho, w+ = f' - l f/rho. Doing so twice gives w-- Y_{l-2}, lap Y_l and w++ Y_{l+2}, lap the radial Laplacian.
@@ -1815,7 +1817,7 @@ SHI_KERNEL SHI_V SHI_KN(shi_light_geometry)(const SHI_T point[3], const SHI_V ce
     const SHI_V r2 = SHI_FMA(dx, dx, SHI_FMA(dy, dy, dz * dz)), rough = SHI_FMA(-radius, radius, r2);
     const SHI_M signs = SHI_KN(shi_sign)(SHI_FMA(SHI_SPLAT(SHI_C(-0.5)), r2, rough)) | SHI_KN(shi_sign)(radius);
     const int plain = !SHI_ANY(signs | SHI_KN(shi_out_of)(rough, SHI_MIN2, SHI_MAX2));
-    SHI_V gap = rough, length = r2, hole = gap, s, i, ig, x, y, z, xy, e, alpha;
+    SHI_V gap = rough, length = r2, hole = gap, s, inverse, inverse_gap, x, y, z, xy, e, alpha;
     SHI_M inside = SHI_BITS_OF(zero), none = inside;
     if (SHI_RARELY(!plain)) {
         const SHI_M close = (SHI_M)(rough < SHI_C(0.5) * r2), vast = (SHI_M)(radius > SHI_VAST) & (SHI_M)(r2 < SHI_MAX2);
@@ -1829,21 +1831,21 @@ SHI_KERNEL SHI_V SHI_KN(shi_light_geometry)(const SHI_T point[3], const SHI_V ce
         flags[1] |= SHI_KN(shi_out_of)(SHI_ABS(gap) + SHI_ABS(radius), 0, SHI_C(SHI_BITS == 32 ? 3e38 : 1e308));
         flags[2] |= (SHI_M)(radius < zero);
     }
-    i = SHI_RSQRT(length);
-    ig = SHI_RSQRT(hole);
-    s = radius * i;
-    x = dx * i;
-    y = dy * i;
-    z = dz * i;
+    inverse = SHI_RSQRT(length);
+    inverse_gap = SHI_RSQRT(hole);
+    s = radius * inverse;
+    x = dx * inverse;
+    y = dy * inverse;
+    z = dz * inverse;
     xy = SHI_FMA(x, x, y * y);
     if (!plain) s = SHI_SELECT(none, zero, s);
     o->s2 = s * s;
-    alpha = (gap * ig) * i;
+    alpha = (gap * inverse_gap) * inverse;
     if (!plain) alpha = SHI_SELECT(none, one, alpha);
     o->kappa = o->s2 / (SHI_C(1) + alpha);
     if (kinds > 1) {
-        o->inverse = i;
-        o->q = o->s2 * ig;
+        o->inverse = inverse;
+        o->q = o->s2 * inverse_gap;
     }
     if (kinds == SHI_ALL_KINDS) o->alpha = alpha;
     if (!plain) o->kappa = SHI_SELECT(inside, one + one, o->kappa);
@@ -1869,7 +1871,7 @@ SHI_KERNEL void SHI_KN(shi_light_weights)(int n, int kinds, const SHI_KN(shi_lig
 {
     const SHI_T tau = SHI_C(SHI_TAU);
     const SHI_V zero = SHI_SPLAT(0), q = kinds > 1 ? o->q : zero;
-    const SHI_V i = kinds > 1 ? SHI_KN(shi_flip)(o->inverse, o->side) : zero;
+    const SHI_V inverse = kinds > 1 ? SHI_KN(shi_flip)(o->inverse, o->side) : zero;
     const SHI_V bend = kinds == SHI_ALL_KINDS ? tau * (q * (SHI_C(3) * o->inverse + q / o->alpha)) : zero;
     const SHI_V k = tau * o->s2, k1 = -tau * q, square = tau * (q * q);
     SHI_M here = SHI_BITS_OF(zero), there = o->side;            /* signs of bands l, and l - 1 and l + 1 */
@@ -1889,11 +1891,12 @@ SHI_KERNEL void SHI_KN(shi_light_weights)(int n, int kinds, const SHI_KN(shi_lig
         }
         SHI_WEIGHT(0, l) = f;
         if (kinds >= 3) {
-            const SHI_V g = f * i, f1 = SHI_KN(shi_flip)(k1 * p, there);
+            const SHI_V g = f * inverse, f1 = SHI_KN(shi_flip)(k1 * p, there);
             if (l > 0) SHI_WEIGHT(1, l - 1) = f1 + b[1] * g;
             SHI_WEIGHT(2, l + 1) = f1 - b[0] * g;
             if (kinds == SHI_ALL_KINDS) {                       /* f'', f'/rho and f/rho^2 */
-                const SHI_V f2 = SHI_KN(shi_flip)(SHI_FMA(p, bend, -(slope * square)), here), f1i = f1 * i, gi = g * i;
+                const SHI_V f2 = SHI_KN(shi_flip)(SHI_FMA(p, bend, -(slope * square)), here);
+                const SHI_V f1i = f1 * inverse, gi = g * inverse;
                 if (l > 1) SHI_WEIGHT(3, l - 2) = f2 + (b[5] * f1i + b[6] * gi);
                 SHI_WEIGHT(4, l) = f2 + (SHI_C(2) * f1i - b[7] * gi);
                 SHI_WEIGHT(5, l + 2) = f2 - (b[5] * f1i - b[8] * gi);
@@ -1970,7 +1973,7 @@ SHI_KERNEL void SHI_KN(shi_light_rows)(int rows, int kinds, int e_last, int zona
 SHI_KERNEL void SHI_KN(shi_light_column)(int n, int kinds, int m, int nb, const SHI_V *pool, int levels, SHI_V *qa, SHI_V *qb,
                                          SHI_V *sum)
 {
-    const int top = n - 1 + (kinds == 1 ? 0 : kinds == 3 ? 1 : 2);
+    const int top = n - 1 + SHI_EXTRA_BANDS(kinds);
     const SHI_V *c = pool + m * nb, *v = c + levels * nb, *w = pool + 2 * levels * nb, *polar = w + kinds * levels * nb;
     SHI_T ratio[4];
     int j = m, i, rows;
@@ -1979,7 +1982,7 @@ SHI_KERNEL void SHI_KN(shi_light_column)(int n, int kinds, int m, int nb, const 
                                qa, qb, sum)
 #define SHI_GROUP(r, e) do { \
         rows = (r); \
-        for (i = 0; i < (r); i++) ratio[i] = SHI_FN(shi_ratio)[SHI_ROWS(j + i, m)]; \
+        for (i = 0; i < (r); i++) ratio[i] = SHI_FN(shi_ratio)[SHI_TABLE_AT(j + i, m)]; \
         if (m == 0 && j == m) SHI_ROWS_OF(r, e, 1, 1); \
         else if (m == 0) SHI_ROWS_OF(r, e, 1, 0); \
         else if (j == m) SHI_ROWS_OF(r, e, 0, 1); \
@@ -2060,18 +2063,18 @@ SHI_KERNEL void SHI_KN(shi_moments_add)(int n, int kinds, int channels, int m0, 
                 for (k = 0; k < kinds; k++, sums += 2) {
                     SHI_T *const out = moments + (channel * kinds + k) * levels * levels + j * j + j;
                     if (!(SHI_KINDS_AT(j - (n - 1)) >> k & 1u)) continue;           /* nobody reads it */
-                    out[m] += SHI_FN(shi_pole)[SHI_ROWS(j, m)] * SHI_SUM(sums[0]);
-                    if (m) out[-m] += SHI_FN(shi_pole)[SHI_ROWS(j, m)] * SHI_SUM(sums[1]);
+                    out[m] += SHI_FN(shi_pole)[SHI_TABLE_AT(j, m)] * SHI_SUM(sums[0]);
+                    if (m) out[-m] += SHI_FN(shi_pole)[SHI_TABLE_AT(j, m)] * SHI_SUM(sums[1]);
                 }
 }
 
-/* moments[channels][kinds][levels^2] of all lights at a point (`point`, spheres), or of weighted directions (point
- * NULL, spheres = dirs). radiance[channels][count] or NULL. A block's geometry and weights serve every channel;
+/* moments[channels][kinds][levels^2] of items: spheres[4][count] as seen from a point, or with point NULL
+ * dirs[count][3]. radiance[channels][count] or NULL. A block's geometry and weights serve every channel;
  * columns are taken as many at a time as their sums fit the stack. Returns SHI_IS_INSIDE and so on */
-SHI_KERNEL int SHI_KN(shi_moments)(int n, int kinds, int channels, const SHI_T *point, size_t count, const SHI_T *spheres,
+SHI_KERNEL int SHI_KN(shi_moments)(int n, int kinds, int channels, const SHI_T *point, size_t count, const SHI_T *items,
                                    const SHI_T *radiance, SHI_T *moments)
 {
-    const int levels = n - 1 + (kinds == 1 ? 1 : kinds == 3 ? 2 : 3), plane = levels * levels;
+    const int levels = n + SHI_EXTRA_BANDS(kinds), plane = levels * levels;
     const int fit = SHI_POOL / ((2 + kinds) * levels + 1);
     const int at_once = fit > SHI_LIGHTS_AT_ONCE ? SHI_LIGHTS_AT_ONCE : fit;
     const size_t most = (size_t)(128 / at_once * at_once) * SHI_W;          /* that lanes add up, or their rounding would grow */
@@ -2096,9 +2099,9 @@ SHI_KERNEL int SHI_KN(shi_moments)(int n, int kinds, int channels, const SHI_T *
                 const size_t one = first + (size_t)i * SHI_W;
                 if (point) {
                     SHI_V center[3], radius;
-                    SHI_KN(shi_load_light)(spheres, count, one, center, &radius);
+                    SHI_KN(shi_load_light)(items, count, one, center, &radius);
                     polar[i] = SHI_KN(shi_light_geometry)(point, center, radius, kinds, flags, &lights[i]);
-                } else if (!SHI_KN(shi_sample_geometry)(spheres, count, one, &polar[i], &lights[i])) {
+                } else if (!SHI_KN(shi_sample_geometry)(items, count, one, &polar[i], &lights[i])) {
                     bad = SHI_NOT_FINITE;
                 }
             }
@@ -2139,7 +2142,7 @@ SHI_NOINLINE int SHI_KN(shi_moments_hessian)(int n, int channels, const SHI_T *p
     return SHI_KN(shi_moments)(n, SHI_ALL_KINDS, channels, point, count, spheres, radiance, moments);
 }
 
-#undef SHI_LINES
+#undef SHI_BY_LINE
 #undef SHI_PIECE
 #undef SHI_PICK
 #undef SHI_PICKS
@@ -2205,7 +2208,7 @@ SHI_KERNEL void SHI_KN(shi_run_start)(int m, const SHI_V a[2], int stride, SHI_K
         o->fall[j] = SHI_SPLAT(0);
     }
     o->l = m;
-    o->row = SHI_ROWS(m, m);
+    o->row = SHI_TABLE_AT(m, m);
     o->up = (m * m + 2 * m) * stride;
     o->down = m * m * stride;
 }
@@ -2312,12 +2315,12 @@ SHI_KERNEL void SHI_BN(shi_values)(int n, int single, const SHI_V u[4], SHI_T *y
 #endif
 }
 
-/* y[N], g[3][N] = dY(v/|v|)/dv at u = v/|v|, i = 1/|v|; with a stride of 0 all stores of an output go to one place, unread.
+/* y[N], g[3][N] = dY(v/|v|)/dv at u = v/|v|, inverse = 1/|v|; with a stride of 0 all stores of an output go to one place, unread.
  * Normalises the register of directions at `ahead` too, after the last read of u: earlier, gcc spills */
-SHI_KERNEL void SHI_BN(shi_gradient)(int n, int single, const SHI_V u[4], SHI_V i, SHI_T *y, int y_stride, SHI_T *g,
+SHI_KERNEL void SHI_BN(shi_gradient)(int n, int single, const SHI_V u[4], SHI_V inverse, SHI_T *y, int y_stride, SHI_T *g,
                                      int stride, const SHI_T *ahead, SHI_KN(shi_direction) *next)
 {
-    const SHI_V z = u[2], xi = -u[0] * i, yi = -u[1] * i, zero = SHI_SPLAT(0);
+    const SHI_V z = u[2], xi = -u[0] * inverse, yi = -u[1] * inverse, zero = SHI_SPLAT(0);
     SHI_T *const gx = g, *const gy = gx + n * n * stride, *const gz = gy + n * n * stride;
     SHI_V a[2], column[SHI_RING][SHI_COLUMN], c[SHI_COLUMN], s[SHI_COLUMN];
     int l, m;
@@ -2327,19 +2330,19 @@ SHI_KERNEL void SHI_BN(shi_gradient)(int n, int single, const SHI_V u[4], SHI_V 
     SHI_LOOP
     for (m = 0; m < n; m++) {
         const SHI_V *const q0 = column[m % SHI_RING], *const q1 = column[(m + 1) % SHI_RING];
-        const SHI_V mi = SHI_C(-m) * i, mc = mi * (m ? c[m - 1] : zero), ms = mi * (m ? s[m - 1] : zero);
+        const SHI_V mi = SHI_C(-m) * inverse, mc = mi * (m ? c[m - 1] : zero), ms = mi * (m ? s[m - 1] : zero);
         SHI_V ic, is, xc, xs, vc, vs;
         SHI_BN(shi_column)(m + 1, n, a, column);
         SHI_BN(shi_order)(m, n, u, c, s);
-        ic = i * c[m];
-        is = i * s[m];
+        ic = inverse * c[m];
+        is = inverse * s[m];
         xc = xi * c[m];
         xs = xi * s[m];
         vc = yi * c[m];
         vs = yi * s[m];
         SHI_LOOP
         for (l = m; l < n; l++) {
-            const SHI_V q = q0[l], d = l > m ? SHI_FN(shi_slope)[SHI_ROWS(l, m)] * q1[l] : SHI_SPLAT(0);
+            const SHI_V q = q0[l], d = l > m ? SHI_FN(shi_slope)[SHI_TABLE_AT(l, m)] * q1[l] : SHI_SPLAT(0);
             const SHI_V b = l > m ? SHI_FMA(z, d, m ? SHI_C(m) * q : zero) : SHI_C(m) * q;     /* u.F', over U_m */
             const SHI_V e = SHI_FNMA(z, b, d);                                                 /* F'_z - z u.F' */
             const int at = l * l + l;
@@ -2347,7 +2350,7 @@ SHI_KERNEL void SHI_BN(shi_gradient)(int n, int single, const SHI_V u[4], SHI_V 
                 SHI_PUT(y + at * y_stride, q, single);
                 SHI_PUT(gx + at * stride, l ? SHI_FMA(xi, b, zero) : d, single);
                 SHI_PUT(gy + at * stride, l ? SHI_FMA(yi, b, zero) : d, single);
-                SHI_PUT(gz + at * stride, l ? i * e : d, single);
+                SHI_PUT(gz + at * stride, l ? inverse * e : d, single);
             } else {
                 const SHI_V qc = q * mc, qs = q * ms;
                 SHI_PUT(y + (at + m) * y_stride, q * c[m], single);
@@ -2382,10 +2385,11 @@ SHI_KERNEL void SHI_KN(shi_second_shared)(SHI_V z, SHI_V m, SHI_V q, SHI_V d, SH
 }
 /* f[] = U, U_x, U_y, U_xx, U_xy; i = 1/|v| in two steps: its square may overflow. part: 1 value and gradient, 2 Hessian,
  * 3 both */
-SHI_KERNEL void SHI_KN(shi_second)(int part, const SHI_V u[4], SHI_V i, const SHI_V of[7], const SHI_V f[5], SHI_T *y, SHI_T *g,
-                                   int g_plane, SHI_T *h, int plane)
+SHI_KERNEL void SHI_KN(shi_second)(int part, const SHI_V u[4], SHI_V inverse, const SHI_V of[7], const SHI_V f[5],
+                                   SHI_T *y, SHI_T *g, int g_plane, SHI_T *h, int plane)
 {
-    const SHI_V b = of[0], q = of[1], d = of[2], f0 = i * f[0], f1 = i * f[1], f2 = i * f[2], xx = (i * f[3]) * q;
+    const SHI_V b = of[0], q = of[1], d = of[2];
+    const SHI_V f0 = inverse * f[0], f1 = inverse * f[1], f2 = inverse * f[2], xx = (inverse * f[3]) * q;
     const SHI_V k = f0 * b, s = f0 * of[4];
     const SHI_V px = SHI_FMA(f1, b, -(s * u[0])), py = SHI_FMA(f2, b, -(s * u[1])), pz = f0 * of[5];
     if (part & 1) {
@@ -2395,12 +2399,12 @@ SHI_KERNEL void SHI_KN(shi_second)(int part, const SHI_V u[4], SHI_V i, const SH
         SHI_STORE(g + 2 * g_plane, f0 * of[3]);
     }
     if (part & 2) {
-        SHI_STORE(h, i * SHI_FMA(SHI_C(-2) * u[0], px, xx - k));
-        SHI_STORE(h + plane, i * SHI_FMA(i * f[4], q, -SHI_FMA(u[0], py, u[1] * px)));
-        SHI_STORE(h + 2 * plane, i * SHI_FMA(f1, d, -SHI_FMA(u[0], pz, u[2] * px)));
-        SHI_STORE(h + 3 * plane, i * SHI_FMA(SHI_C(-2) * u[1], py, -xx - k));
-        SHI_STORE(h + 4 * plane, i * SHI_FMA(f2, d, -SHI_FMA(u[1], pz, u[2] * py)));
-        SHI_STORE(h + 5 * plane, i * SHI_FMA(SHI_C(-2) * u[2], pz, f0 * of[6]));
+        SHI_STORE(h, inverse * SHI_FMA(SHI_C(-2) * u[0], px, xx - k));
+        SHI_STORE(h + plane, inverse * SHI_FMA(inverse * f[4], q, -SHI_FMA(u[0], py, u[1] * px)));
+        SHI_STORE(h + 2 * plane, inverse * SHI_FMA(f1, d, -SHI_FMA(u[0], pz, u[2] * px)));
+        SHI_STORE(h + 3 * plane, inverse * SHI_FMA(SHI_C(-2) * u[1], py, -xx - k));
+        SHI_STORE(h + 4 * plane, inverse * SHI_FMA(f2, d, -SHI_FMA(u[1], pz, u[2] * py)));
+        SHI_STORE(h + 5 * plane, inverse * SHI_FMA(SHI_C(-2) * u[2], pz, f0 * of[6]));
     }
 }
 /* f of orders m and -m from c[0], c[-1], c[-2] = U_m, U_{m-1}, U_{m-2} and s likewise, 0 where there is none */
@@ -2418,7 +2422,7 @@ SHI_KERNEL void SHI_KN(shi_second_orders)(SHI_V m, const SHI_V *c, const SHI_V *
 }
 
 /* column m and the two after it, q[], to orders m and -m */
-SHI_KERNEL void SHI_KN(shi_second_column)(int part, int n, int m, const SHI_V u[4], SHI_V i, const SHI_V *const q[3],
+SHI_KERNEL void SHI_KN(shi_second_column)(int part, int n, int m, const SHI_V u[4], SHI_V inverse, const SHI_V *const q[3],
                                           const SHI_V *c, const SHI_V *s, SHI_T *y, int y_stride, SHI_T *g, int g_stride,
                                           SHI_T *h, int stride)
 {
@@ -2428,20 +2432,21 @@ SHI_KERNEL void SHI_KN(shi_second_column)(int part, int n, int m, const SHI_V u[
     int l;
     SHI_KN(shi_second_orders)(SHI_SPLAT(SHI_C(m)), c, s, cosine, sine);
     for (l = m; l < n; l++) {
-        const SHI_T *const slope = SHI_FN(shi_slope) + SHI_ROWS(l, m);
+        const SHI_T *const slope = SHI_FN(shi_slope) + SHI_TABLE_AT(l, m);
         const SHI_V d = l > m ? slope[0] * q[1][l] : zero, e = l > m + 1 ? (slope[0] * slope[1]) * q[2][l] : zero;
         const int up = l * l + l + m, down = up - 2 * m;
         SHI_V of[7];
         SHI_KN(shi_second_shared)(u[2], SHI_SPLAT(SHI_C(m)), q[0][l], d, e, of);
-        SHI_KN(shi_second)(part, u, i, of, cosine, y + up * y_stride, g + up * g_stride, g_plane, h + up * stride, plane);
+        SHI_KN(shi_second)(part, u, inverse, of, cosine, y + up * y_stride, g + up * g_stride, g_plane, h + up * stride, plane);
         if (m)
-            SHI_KN(shi_second)(part, u, i, of, sine, y + down * y_stride, g + down * g_stride, g_plane, h + down * stride, plane);
+            SHI_KN(shi_second)(part, u, inverse, of, sine, y + down * y_stride, g + down * g_stride, g_plane,
+                               h + down * stride, plane);
     }
 }
 
 /* y[N], g[3][N], h[6][N] of Y(v/|v|) */
-SHI_KERNEL void SHI_KN(shi_hessian)(int n, const SHI_V u[4], SHI_V i, SHI_T *y, int y_stride, SHI_T *g, int g_stride, SHI_T *h,
-                                    int stride)
+SHI_KERNEL void SHI_KN(shi_hessian)(int n, const SHI_V u[4], SHI_V inverse, SHI_T *y, int y_stride, SHI_T *g, int g_stride,
+                                    SHI_T *h, int stride)
 {
     /* ten planes a multiple of 4 KiB apart meet in one set of a cache of 8 ways: then value and gradient first */
     const int apart = stride && n * n * stride * (int)sizeof(SHI_T) % 4096 == 0;
@@ -2457,10 +2462,10 @@ SHI_KERNEL void SHI_KN(shi_hessian)(int n, const SHI_V u[4], SHI_V i, SHI_T *y, 
         SHI_BN(shi_order)(m, n, u, c + 2, s + 2);
         for (k = 0; k < 3; k++) q[k] = column[(m + k) % SHI_RING];
         if (!apart) {
-            SHI_KN(shi_second_column)(3, n, m, u, i, q, c + 2 + m, s + 2 + m, y, y_stride, g, g_stride, h, stride);
+            SHI_KN(shi_second_column)(3, n, m, u, inverse, q, c + 2 + m, s + 2 + m, y, y_stride, g, g_stride, h, stride);
         } else {
-            SHI_KN(shi_second_column)(1, n, m, u, i, q, c + 2 + m, s + 2 + m, y, y_stride, g, g_stride, h, stride);
-            SHI_KN(shi_second_column)(2, n, m, u, i, q, c + 2 + m, s + 2 + m, y, y_stride, g, g_stride, h, stride);
+            SHI_KN(shi_second_column)(1, n, m, u, inverse, q, c + 2 + m, s + 2 + m, y, y_stride, g, g_stride, h, stride);
+            SHI_KN(shi_second_column)(2, n, m, u, inverse, q, c + 2 + m, s + 2 + m, y, y_stride, g, g_stride, h, stride);
         }
     }
 }
@@ -2527,7 +2532,8 @@ SHI_KERNEL void SHI_KN(shi_orders_start)(int m, const SHI_V a[2], SHI_KN(shi_ord
 /* q_l^{m+j}, orders m, m+1, ..., to the bit as shi_run_row has it; void where m + j > l */
 SHI_KERNEL SHI_V SHI_KN(shi_orders_row)(int j, int l, int m, const SHI_V a[2], SHI_KN(shi_orders) *o)
 {
-    const SHI_T *const ratio = SHI_FN(shi_ratio) + SHI_ROWS(l, m) + j, *const pole = SHI_FN(shi_pole) + SHI_ROWS(l, m) + j;
+    const SHI_T *const ratio = SHI_FN(shi_ratio) + SHI_TABLE_AT(l, m) + j;
+    const SHI_T *const pole = SHI_FN(shi_pole) + SHI_TABLE_AT(l, m) + j;
     const SHI_M begun = (SHI_M)(o->order + SHI_C(j) < o->band);
     o->fall[j] = SHI_KN(shi_fall)(SHI_SELECT(begun, SHI_LOAD(ratio), SHI_SPLAT(0)), a[1], o->p[j], o->fall[j]);
     o->p[j] = o->p[j] - o->fall[j];
@@ -2535,19 +2541,19 @@ SHI_KERNEL SHI_V SHI_KN(shi_orders_row)(int j, int l, int m, const SHI_V a[2], S
 }
 /* value and gradient of orders m and -m from q_l^m and its derivative d, c[0], c[-1] = U_m, U_{m-1} and s likewise, to
  * the bit as shi_gradient has them, which has no terms in m for m = 0 */
-SHI_KERNEL void SHI_KN(shi_orders_gradient)(SHI_V m, const SHI_V u[4], SHI_V i, SHI_V q, SHI_V d, const SHI_V *c,
+SHI_KERNEL void SHI_KN(shi_orders_gradient)(SHI_V m, const SHI_V u[4], SHI_V inverse, SHI_V q, SHI_V d, const SHI_V *c,
                                             const SHI_V *s, SHI_T (*up)[SHI_W], SHI_T (*down)[SHI_W])
 {
-    const SHI_V zero = SHI_SPLAT(0), xi = -u[0] * i, yi = -u[1] * i, mi = m * i, less = (zero - m) * i;
+    const SHI_V zero = SHI_SPLAT(0), xi = -u[0] * inverse, yi = -u[1] * inverse, mi = m * inverse, less = (zero - m) * inverse;
     const SHI_V qm = SHI_SELECT((SHI_M)(m > zero), q, zero), b = SHI_FMA(u[2], d, m * qm), e = SHI_FNMA(u[2], b, d);
     SHI_STORE(up[0], q * c[0]);
     SHI_STORE(up[1], SHI_FMA(xi * c[0], b, qm * (less * c[-1])));
     SHI_STORE(up[2], SHI_FMA(yi * c[0], b, qm * (mi * s[-1])));
-    SHI_STORE(up[3], (i * c[0]) * e);
+    SHI_STORE(up[3], (inverse * c[0]) * e);
     SHI_STORE(down[0], q * s[0]);
     SHI_STORE(down[1], SHI_FMA(xi * s[0], b, qm * (less * s[-1])));
     SHI_STORE(down[2], SHI_FMA(yi * s[0], b, qm * (less * c[-1])));
-    SHI_STORE(down[3], (i * s[0]) * e);
+    SHI_STORE(down[3], (inverse * s[0]) * e);
 }
 
 /* What a batch gives, to the bit: y[N], g[3][N], h[6][N], as far as planes say. Returns 0, and writes nothing, when the
@@ -2555,10 +2561,10 @@ SHI_KERNEL void SHI_KN(shi_orders_gradient)(SHI_V m, const SHI_V u[4], SHI_V i, 
 SHI_KERNEL int SHI_KN(shi_one_any)(int n, int planes, const SHI_T v[3], SHI_T *y, int ys, SHI_T *g, int gs, SHI_T *h, int hs)
 {
     SHI_T before[2][2 + SH_MAX_BANDS];                          /* [0][2 + m] = U_m, [1][2 + m] = V_m */
-    SHI_V w[3], u[4], i, a[2], c[SH_MAX_BANDS / SHI_W], s[SH_MAX_BANDS / SHI_W];
+    SHI_V w[3], u[4], inverse, a[2], c[SH_MAX_BANDS / SHI_W], s[SH_MAX_BANDS / SHI_W];
     int l, m, k;
     for (k = 0; k < 3; k++) w[k] = SHI_KEEP(SHI_SPLAT(v[k]));
-    if (!SHI_KN(shi_unit)(w, 1, u, &i)) return 0;
+    if (!SHI_KN(shi_unit)(w, 1, u, &inverse)) return 0;
     SHI_BN(shi_polar)(u, a);
     SHI_KN(shi_powers)(n, u, c, s);
     for (k = 0; k < 2; k++) before[0][k] = before[1][k] = 0;
@@ -2578,7 +2584,7 @@ SHI_KERNEL int SHI_KN(shi_one_any)(int n, int planes, const SHI_T v[3], SHI_T *y
         ms[2] = s[m / SHI_W];
         if (planes == SH_HESSIAN) SHI_KN(shi_second_orders)(o.order, mc + 2, ms + 2, cosine, sine);
         for (l = m; l < n; l++, o.band += SHI_C(1)) {
-            const SHI_T *const slope = SHI_FN(shi_slope) + SHI_ROWS(l, m);
+            const SHI_T *const slope = SHI_FN(shi_slope) + SHI_TABLE_AT(l, m);
             const SHI_V q = SHI_KN(shi_orders_row)(0, l, m, a, &o), zero = SHI_SPLAT(0);
             SHI_T up[SH_HESSIAN][SHI_W], down[SH_HESSIAN][SHI_W];
             SHI_V d = zero;
@@ -2590,13 +2596,13 @@ SHI_KERNEL int SHI_KN(shi_one_any)(int n, int planes, const SHI_T v[3], SHI_T *y
                 SHI_STORE(up[0], q * mc[2]);
                 SHI_STORE(down[0], q * ms[2]);
             } else if (planes == SH_GRADIENT) {
-                SHI_KN(shi_orders_gradient)(o.order, u, i, q, d, mc + 2, ms + 2, up, down);
+                SHI_KN(shi_orders_gradient)(o.order, u, inverse, q, d, mc + 2, ms + 2, up, down);
             } else {
                 SHI_V of[7], e = (SHI_LOAD(slope) * SHI_LOAD(slope + 1)) * SHI_KN(shi_orders_row)(2, l, m, a, &o);
                 e = SHI_SELECT((SHI_M)(o.order + SHI_C(1) < o.band), e, zero);
                 SHI_KN(shi_second_shared)(u[2], o.order, q, d, e, of);
-                SHI_KN(shi_second)(3, u, i, of, cosine, up[0], up[1], SHI_W, up[4], SHI_W);
-                SHI_KN(shi_second)(3, u, i, of, sine, down[0], down[1], SHI_W, down[4], SHI_W);
+                SHI_KN(shi_second)(3, u, inverse, of, cosine, up[0], up[1], SHI_W, up[4], SHI_W);
+                SHI_KN(shi_second)(3, u, inverse, of, sine, down[0], down[1], SHI_W, down[4], SHI_W);
             }
             SHI_KN(shi_put_orders)(l, m, SHI_LOAD(up[0]), SHI_LOAD(down[0]), y, ys);
             SHI_UNROLL
@@ -2662,7 +2668,7 @@ SHI_KERNEL int SHI_BN(shi_blocks)(int n, int planes, size_t blocks, const SHI_T 
  * dU_m/dtheta = m cos theta U_m/sin(theta), whose quotient is U_{m-1} without its last sine */
 SHI_KERNEL int SHI_BN(shi_angles)(int n, const SHI_V f[4], SHI_T *y, SHI_T *dt, SHI_T *dp)
 {
-    const SHI_V ct = f[0], fall = -f[1], cp = f[2], sp = f[3], zero = SHI_SPLAT(0);
+    const SHI_V ct = f[0], minus_st = -f[1], cp = f[2], sp = f[3], zero = SHI_SPLAT(0);
     SHI_V u[4], a[2], column[SHI_RING][SHI_COLUMN], c[SHI_COLUMN], s[SHI_COLUMN];
     int l, m;
     SHI_KN(shi_angles_unit)(f, u);
@@ -2681,7 +2687,7 @@ SHI_KERNEL int SHI_BN(shi_angles)(int n, const SHI_V f[4], SHI_T *y, SHI_T *dt, 
         }
         SHI_LOOP
         for (l = m; l < n; l++) {
-            const SHI_V q = q0[l], t = fall * (l > m ? SHI_FN(shi_slope)[SHI_ROWS(l, m)] * q1[l] : zero);
+            const SHI_V q = q0[l], t = minus_st * (l > m ? SHI_FN(shi_slope)[SHI_TABLE_AT(l, m)] * q1[l] : zero);
             const int at = l * l + l;
             if (m == 0) {
                 SHI_STORE(y + at * SHI_W, q);
@@ -2701,10 +2707,10 @@ SHI_KERNEL int SHI_BN(shi_angles)(int n, const SHI_V f[4], SHI_T *y, SHI_T *dt, 
     return SH_OK;
 }
 
-#if SHI_FIXED && defined(SHI_LINES)
+#if SHI_FIXED && defined(SHI_BY_LINE)
 /* One direction with its coefficients 1, 2, ... in the lanes, register k from the index shi_line_at on: the last
  * overlaps the one before if it can */
-#define SHI_LINE_REGISTERS ((SHI_LINE - 2) / SHI_W + 1)
+#define SHI_LINE_REGISTERS ((SHI_POLYNOMIAL_SIZE - 2) / SHI_W + 1)
 #define SHI_ORDER_REGISTERS ((SHI_POLYNOMIAL_BANDS - 1) / SHI_W + 1)
 SHI_KERNEL int SHI_KN(shi_line_at)(int n, int k)
 {
@@ -2830,7 +2836,7 @@ SHI_KERNEL void SHI_KN(shi_line_terms)(int n, int k, const SHI_V *q, SHI_V *d, S
         for (k = half; k < all; k++) put; \
     } while (0)
 
-SHI_KERNEL void SHI_KN(shi_line_put)(int n, int planes, int k, const SHI_KN(shi_line) *o, SHI_V i, SHI_T *y, SHI_T *g)
+SHI_KERNEL void SHI_KN(shi_line_put)(int n, int planes, int k, const SHI_KN(shi_line) *o, SHI_V inverse, SHI_T *y, SHI_T *g)
 {
     const int at = SHI_KN(shi_line_at)(n, k);
     const SHI_V f = SHI_KN(shi_line_spread)(n, k, o->c, o->s);
@@ -2841,9 +2847,9 @@ SHI_KERNEL void SHI_KN(shi_line_put)(int n, int planes, int k, const SHI_KN(shi_
         SHI_V d, order, qm, b;
         SHI_KN(shi_line_terms)(n, k, o->q, &d, &order, &qm);
         b = SHI_FMA(o->u[2], d, order * qm);
-        SHI_KN(shi_put_line)(n, at, SHI_FMA((-o->u[0] * i) * f, b, qm * ux), g);
-        SHI_KN(shi_put_line)(n, at, SHI_FMA((-o->u[1] * i) * f, b, qm * uy), g + n * n);
-        SHI_KN(shi_put_line)(n, at, (i * f) * SHI_FNMA(o->u[2], b, d), g + 2 * n * n);
+        SHI_KN(shi_put_line)(n, at, SHI_FMA((-o->u[0] * inverse) * f, b, qm * ux), g);
+        SHI_KN(shi_put_line)(n, at, SHI_FMA((-o->u[1] * inverse) * f, b, qm * uy), g + n * n);
+        SHI_KN(shi_put_line)(n, at, (inverse * f) * SHI_FNMA(o->u[2], b, d), g + 2 * n * n);
     }
 }
 /* What shi_values and shi_gradient give, to the bit: y[N] and, if planes say so, g[3][N]. Returns 0, and writes
@@ -2851,10 +2857,10 @@ SHI_KERNEL void SHI_KN(shi_line_put)(int n, int planes, int k, const SHI_KN(shi_
 SHI_KERNEL int SHI_KN(shi_one_line)(int n, int planes, const SHI_T v[3], SHI_T *y, SHI_T *g)
 {
     SHI_KN(shi_line) o;
-    SHI_V w[3], i;
+    SHI_V w[3], inverse;
     int r, k, j;
     for (k = 0; k < 3; k++) w[k] = SHI_KEEP(SHI_SPLAT(v[k]));       /* or gcc multiplies before it spreads */
-    if (!SHI_KN(shi_unit)(w, 1, o.u, &i)) return 0;
+    if (!SHI_KN(shi_unit)(w, 1, o.u, &inverse)) return 0;
     SHI_KN(shi_line_start)(n, &o);
     y[0] = SHI_HORNER(0, 0, 0);
     if (planes == SH_GRADIENT) {
@@ -2867,12 +2873,12 @@ SHI_KERNEL int SHI_KN(shi_one_line)(int n, int planes, const SHI_T v[3], SHI_T *
                 plus[j] = SHI_C(r * SHI_W + j);
                 minus[j] = SHI_C(-r * SHI_W - j);
             }
-            o.slope[0][r] = (SHI_LOAD(minus) * i) * SHI_KN(shi_line_before)(r, o.c);
-            o.slope[1][r] = (SHI_LOAD(plus) * i) * SHI_KN(shi_line_before)(r, o.s);
+            o.slope[0][r] = (SHI_LOAD(minus) * inverse) * SHI_KN(shi_line_before)(r, o.c);
+            o.slope[1][r] = (SHI_LOAD(plus) * inverse) * SHI_KN(shi_line_before)(r, o.s);
             o.slope[2][r] = -o.slope[1][r];
         }
     }
-    SHI_LINE_EACH(n, k, SHI_KN(shi_line_put)(n, planes, k, &o, i, y, g));
+    SHI_LINE_EACH(n, k, SHI_KN(shi_line_put)(n, planes, k, &o, inverse, y, g));
     return 1;
 }
 
@@ -2916,7 +2922,7 @@ SHI_KERNEL int SHI_KN(shi_line_angles)(int n, const SHI_T part[4], SHI_T *y, SHI
 #undef SHI_LINE_EACH
 #endif
 
-#if SHI_LANES == 1 || (SHI_FIXED && !defined(SHI_LINES))
+#if SHI_LANES == 1 || (SHI_FIXED && !defined(SHI_BY_LINE))
 /* the same by the registers' first lane */
 SHI_KERNEL int SHI_BN(shi_one)(int n, int planes, const SHI_T d[3], SHI_T *y, int ys, SHI_T *g, int gs, SHI_T *h, int hs)
 {
@@ -2991,24 +2997,23 @@ SHI_NOINLINE int SHI_FN(shi_batch)(int n, int planes, size_t count, const SHI_T 
                                   g ? g : discard, g != NULL, g ? 3 * s : 0, h ? h : discard, h != NULL, h ? 6 * s : 0);
 }
 
-/* f_l, df_l/dd and d2f_l/dd2 of a sphere with s = r/d, alpha = cos of the half-angle, i = 1/d; with i = 0 the second
- * is the derivative by the half-angle instead. L_lm = f_l Y_lm: f_0 = 2 pi s^2/(1+alpha), f_l = 2 pi s^2
- * P_l'(alpha)/(l(l+1)). P_l and P_l' run by differences in kappa = 1 - alpha = s^2/(1+alpha): the rounding of alpha,
- * times l^2 for small lights, does not enter. */
-SHI_INLINE void SHI_FN(shi_cap)(int n, SHI_T s, SHI_T alpha, SHI_T i, SHI_T *f, SHI_T *f1, SHI_T *f2)
+/* L_lm = f_l Y_lm of a cap, s and alpha sine and cosine of its half-angle: f_0 = 2 pi s^2/(1+alpha), f_l = 2 pi s^2
+ * P_l'(alpha)/(l(l+1)); with P_l(alpha) and P_l'. They run by differences in kappa = 1 - alpha = s^2/(1+alpha): the rounding
+ * of alpha, times l^2 for small lights, does not enter. */
+SHI_INLINE void SHI_FN(shi_cap)(int n, SHI_T s, SHI_T alpha, SHI_T *f, SHI_T *legendre, SHI_T *slopes)
 {
-    const SHI_T tau = SHI_C(SHI_TAU), s2 = s * s, q = s2 * i / alpha, kappa = s2 / (1 + alpha);
+    const SHI_T tau = SHI_C(SHI_TAU), s2 = s * s, kappa = s2 / (1 + alpha);
     SHI_T p = 1, fall = 0, slope = 0;                           /* P_l, P_{l-1} - P_l, P_l' */
     int l;
     for (l = 0; l < n; l++) {
         if (l > 0) {
             slope = slope + (SHI_C(l) * p - kappa * slope);
-            fall = SHI_ONE(shi_fall)(SHI_FN(shi_ratio)[SHI_ROWS(l, 0)], kappa, p, fall);
+            fall = SHI_ONE(shi_fall)(SHI_FN(shi_ratio)[SHI_TABLE_AT(l, 0)], kappa, p, fall);
             p = p - fall;
         }
         f[l] = l ? tau * s2 * slope * SHI_FN(shi_profile)[SHI_PROFILE * l + 4] : tau * kappa;       /* 1/(l (l+1)) */
-        f1[l] = i > 0 ? -tau * p * q : tau * p * s;
-        f2[l] = i > 0 ? tau * (p * (3 * q * i + q * q / alpha) - slope * q * q) : 0;
+        legendre[l] = p;
+        slopes[l] = slope;
     }
 }
 
@@ -3016,13 +3021,13 @@ SHI_INLINE void SHI_FN(shi_cap)(int n, SHI_T s, SHI_T alpha, SHI_T i, SHI_T *f, 
 SHI_NOINLINE int SHI_FN(shi_symmetric)(int n, const SHI_T v[3], const SHI_T *f, const SHI_T *f1, const SHI_T *f2,
                                        SHI_T *c, SHI_T *g, SHI_T *h)
 {
-    SHI_T gradient[3 * SH_MAX_BANDS * SH_MAX_BANDS], u[4], i, scaled[3];
+    SHI_T gradient[3 * SH_MAX_BANDS * SH_MAX_BANDS], u[4], inverse, scaled[3];
     const SHI_T up = h && v[0] * v[0] + v[1] * v[1] + v[2] * v[2] < SHI_C(1e-20) ? SHI_C(1152921504606846976.0) : 1;   /* 2^60 */
     const int size = n * n;
     int l, k, j, p;
     if (h && !g) g = gradient;
     for (k = 0; k < 3; k++) scaled[k] = up * v[k];              /* the basis' Hessian at v could overflow, f times that not */
-    if (!SHI_ONE(shi_unit)(v, 1, u, &i)
+    if (!SHI_ONE(shi_unit)(v, 1, u, &inverse)
         || !(h ? SHI_MANY(shi_single_hessian)(n, scaled, c, g, h) : g ? SHI_MANY(shi_single_gradient)(n, v, c, g)
                                                                   : SHI_MANY(shi_single_values)(n, v, c)))
         return SHI_FN(shi_direction_status)(v);
@@ -3035,7 +3040,7 @@ SHI_NOINLINE int SHI_FN(shi_symmetric)(int n, const SHI_T v[3], const SHI_T *f, 
             for (k = 0, p = 0; k < 3; k++)
                 for (j = k; j < 3; j++, p++) {
                     SHI_T *const x = h + p * size + at;
-                    *x = f2[l] * y * u[k] * u[j] + f1[l] * (i * y * ((k == j) - u[k] * u[j]) + (u[k] * d[j] + d[k] * u[j]))
+                    *x = f2[l] * y * u[k] * u[j] + f1[l] * (inverse * y * ((k == j) - u[k] * u[j]) + (u[k] * d[j] + d[k] * u[j]))
                        + f[l] * *x * up * up;
                 }
         }
@@ -3048,17 +3053,26 @@ SHI_NOINLINE int SHI_FN(shi_symmetric)(int n, const SHI_T v[3], const SHI_T *f, 
 
 SHI_NOINLINE int SHI_FN(shi_sphere)(int n, const SHI_T x[3], const SHI_T y[3], SHI_T r, SHI_T *c, SHI_T *g, SHI_T *h)
 {
-    SHI_T f[SH_MAX_BANDS], f1[SH_MAX_BANDS], f2[SH_MAX_BANDS], v[3], u[4], i, gap;
+    SHI_T f[SH_MAX_BANDS], f1[SH_MAX_BANDS], f2[SH_MAX_BANDS], v[3], u[4], inverse, gap;
     const size_t size = (size_t)(n * n) * sizeof *c;
-    int k, inside;
+    int k, l, inside;
     if (!SHI_FN(shi_finite)(x, 3) || !SHI_FN(shi_finite)(y, 3) || !SHI_FN(shi_finite)(&r, 1)) return SH_ERROR_NOT_FINITE;
     if (r < 0) return SH_ERROR_RADIUS;
     for (k = 0; k < 3; k++) v[k] = y[k] - x[k];
     gap = r > SHI_VAST && v[0] * v[0] + v[1] * v[1] + v[2] * v[2] < SHI_MAX2 ? -1 : SHI_ONE(shi_gap)(y, x, r);
     inside = r > 0 && gap <= 0;
     if (r > 0 && !inside) {
-        if (!SHI_ONE(shi_unit)(v, 1, u, &i)) return SH_ERROR_DIRECTION;
-        SHI_FN(shi_cap)(n, r * i, SHI_LIBM(sqrt)(gap) * i, i, f, f1, f2);
+        SHI_T s, alpha, q;
+        if (!SHI_ONE(shi_unit)(v, 1, u, &inverse)) return SH_ERROR_DIRECTION;
+        s = r * inverse;
+        alpha = SHI_LIBM(sqrt)(gap) * inverse;
+        q = s * s * inverse / alpha;                            /* d alpha / dd */
+        SHI_FN(shi_cap)(n, s, alpha, f, f1, f2);
+        for (l = 0; l < n; l++) {                               /* f' and f'' by d, from P_l and P_l' */
+            const SHI_T p = f1[l], slope = f2[l];
+            f1[l] = -SHI_C(SHI_TAU) * p * q;
+            f2[l] = SHI_C(SHI_TAU) * (p * (3 * q * inverse + q * q / alpha) - slope * q * q);
+        }
         return SHI_FN(shi_symmetric)(n, v, f, f1, f2, c, g, h);
     }
     memset(c, 0, size);
@@ -3217,14 +3231,15 @@ SHI_INLINE void SHI_FN(shi_derive)(int n, const SHI_T *lower, const SHI_T *upper
     }
 }
 
-/* `channels` of them from `channel` on at a point x: out[channels][planes][N]; `work` holds 6 (n+2)^2 moments per channel
- * and 7 (n+1)^2 derivatives. Returns shi_moments' bits */
+#define SHI_SPHERES_WORK(n, channels) ((channels) * SHI_ALL_KINDS * ((n) + 2) * ((n) + 2) + 7 * ((n) + 1) * ((n) + 1))
+/* `channels` of them from `channel` on at a point x: out[channels][planes][N]; `work` is that of
+ * SHI_SPHERES_WORK: moments per channel, and derivatives. Returns shi_moments' bits */
 SHI_INLINE int SHI_FN(shi_spheres_at)(const SHI_FN(shi_lights) *o, int channel, int channels, const SHI_T x[3], SHI_T *work,
                                       SHI_T *out)
 {
     const int n = o->bands, planes = o->planes, size = n * n;
-    const int extra = planes == SH_VALUES ? 0 : planes == SH_GRADIENT ? 1 : 2, plane = (n + extra) * (n + extra);
-    const int kinds = planes == SH_VALUES ? 1 : planes == SH_GRADIENT ? 3 : 6;
+    const int kinds = planes == SH_VALUES ? 1 : planes == SH_GRADIENT ? 3 : SHI_ALL_KINDS;
+    const int levels = n + SHI_EXTRA_BANDS(kinds), plane = levels * levels;
     const SHI_T *const radiance = o->radiance ? o->radiance + (size_t)channel * o->count : NULL;
     const int flags =
         planes == SH_VALUES     ? SHI_WIDE(shi_moments_values)(n, channels, x, o->count, o->spheres, radiance, work)
@@ -3283,12 +3298,12 @@ SHI_INLINE int SHI_FN(shi_spheres_with)(const SHI_FN(shi_lights) *o, int most, S
 /* less stack to 10 bands */
 SHI_NOINLINE int SHI_FN(shi_spheres_10)(const SHI_FN(shi_lights) *o, SHI_T *out)
 {
-    SHI_T work[3 * 6 * 12 * 12 + 7 * 11 * 11];
+    SHI_T work[SHI_SPHERES_WORK(10, 3)];
     return SHI_FN(shi_spheres_with)(o, 3, work, out);
 }
 SHI_NOINLINE int SHI_FN(shi_spheres_32)(const SHI_FN(shi_lights) *o, SHI_T *out)
 {
-    SHI_T work[6 * 34 * 34 + 7 * 33 * 33];
+    SHI_T work[SHI_SPHERES_WORK(SH_MAX_BANDS, 1)];
     return SHI_FN(shi_spheres_with)(o, 1, work, out);
 }
 SHI_INLINE int SHI_FN(shi_spheres)(const SHI_FN(shi_lights) *o, SHI_T *out)
@@ -3400,7 +3415,7 @@ SH_API int SHI_FN(sh_eval_angles)(int bands, SHI_T theta, SHI_T phi, SHI_T *y, S
     if (bands < 1 || bands > SH_MAX_BANDS) return SH_ERROR_BANDS;
     if (shi_overlap(y, out, dtheta, out) || shi_overlap(y, out, dphi, out) || shi_overlap(dtheta, out, dphi, out))
         return SH_ERROR_OVERLAP;
-    return SHI_MANY(shi_angle)(bands, theta, phi, y, dtheta, dphi);
+    return SHI_MANY(shi_single_angles)(bands, theta, phi, y, dtheta, dphi);
 }
 
 /* Many: theta[count], phi[count]; y, dtheta, dphi [count][N] or NULL. */
@@ -3534,17 +3549,17 @@ SH_API int SHI_FN(sh_light_field)(int bands, size_t count, const SHI_T *dirs, co
  * Source: M22 Eq. 9, 14 without their cancellation: zh_l = M_l 2 pi s^2 P_l'(alpha) / (l(l+1)). */
 SH_API int SHI_FN(sh_zonal_cap)(int bands, SHI_T sin_half_angle, SHI_T *zh, SHI_T *dzh)
 {
-    SHI_T f[SH_MAX_BANDS], f1[SH_MAX_BANDS], f2[SH_MAX_BANDS];
+    SHI_T f[SH_MAX_BANDS], legendre[SH_MAX_BANDS], slopes[SH_MAX_BANDS];
     const SHI_T s = sin_half_angle;
     int l;
     if (bands < 1 || bands > SH_MAX_BANDS) return SH_ERROR_BANDS;
     if (shi_overlap(zh, (size_t)bands * sizeof *zh, dzh, (size_t)bands * sizeof *dzh)) return SH_ERROR_OVERLAP;
     if (!SHI_FN(shi_finite)(&s, 1)) return SH_ERROR_NOT_FINITE;
     if (!(s >= 0 && s <= 1)) return SH_ERROR_RADIUS;
-    SHI_FN(shi_cap)(bands, s, SHI_LIBM(sqrt)((SHI_C(1) - s) * (SHI_C(1) + s)), 0, f, f1, f2);
+    SHI_FN(shi_cap)(bands, s, SHI_LIBM(sqrt)((SHI_C(1) - s) * (SHI_C(1) + s)), f, legendre, slopes);
     for (l = 0; l < bands; l++) {
         if (zh) zh[l] = SHI_FN(shi_zonal)[l] * f[l];
-        if (dzh) dzh[l] = SHI_FN(shi_zonal)[l] * f1[l];
+        if (dzh) dzh[l] = SHI_FN(shi_zonal)[l] * (SHI_C(SHI_TAU) * legendre[l] * s);
     }
     return SH_OK;
 }

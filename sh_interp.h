@@ -23,7 +23,7 @@
  *     SH_BLENDED_TAYLOR2 10 h^4    C0     80   the same
  *     h is the cell; reads are planes of N numbers per query and channel, and the cost is theirs.
  *     SH_EDGE_HERMITE is the one to use: its 32 data per cell determine exactly its 32 monomials, all cubics among
- *     them, and 12 of degree 4 and 5. SH_HERMITE_MIXED has half its error far from lights, at 6 times its cost.
+ *     them, and 12 of degree 4 and 5. SH_HERMITE_MIXED has half its error far from lights, for 5 times its reads.
  *     Within about a cell of a light no scheme is good: evaluate such a light at the point itself.
  *
  * HOW
@@ -527,18 +527,18 @@ SHI_INLINE int SHI_FN(shi_grid_queries)(const SHI_FN(shi_query) *c, shi_stencil 
     SHI_T w[SHI_TERMS * SH_BLOCK];
     SHI_FN(shi_range) range[3];
     SHI_FN(shi_cells) cells;
-    size_t done, q, left, channel, p;
+    size_t done, q, items, channel, p;
     int a, status = SH_OK;
 
     SHI_FN(shi_ranges)(c, range);
     memset(&cells, 0, sizeof cells);
     for (a = 0; a < 3; a++) cells.h[a] = c->grid->count[a] > 1 ? c->grid->cell[a] : 0;
-    for (done = 0; done < c->count; done += left) {
-        left = c->count - done < (size_t)SH_BLOCK ? c->count - done : (size_t)SH_BLOCK;
-        if (SHI_FN(shi_locate_block)(c, s, range, c->points + 3 * done, left, &cells) != SH_OK) status = SH_ERROR_NOT_FINITE;
+    for (done = 0; done < c->count; done += items) {
+        items = c->count - done < (size_t)SH_BLOCK ? c->count - done : (size_t)SH_BLOCK;
+        if (SHI_FN(shi_locate_block)(c, s, range, c->points + 3 * done, items, &cells) != SH_OK) status = SH_ERROR_NOT_FINITE;
         for (p = 0; p < planes_out; p++) {
             SHI_MANY(shi_weights)(s, (int)p - 1, &cells, w);
-            for (q = 0; q < left; q++) {
+            for (q = 0; q < items; q++) {
                 const SHI_T *from = c->nodes + cells.first[q];
                 if (cells.neighbours[q] < 0) continue;
                 if (cells.neighbours[q] != s->neighbours) {

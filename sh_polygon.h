@@ -3714,6 +3714,7 @@ SHI_INLINE shi_two shi_two_root(shi_two a)
     return s > 0 ? shi_two_sum(s, 0.5 * shi_two_minus(a, shi_two_product(s, s)).h / s) : a;
 }
 
+/* the double engine's parts that the float functions call before they are compiled */
 SHI_NOINLINE int shi_polygon_engine(int bands, int sides, int tight, const double point[3], size_t count, const void *vertices,
                                     int floats, double *coeffs, double *grad, double *fan_size);
 SHI_NOINLINE int shi_triangle_sphere(int bands, int sides, const double x[3], const double v[9], double *out, double *grad,
@@ -3721,7 +3722,6 @@ SHI_NOINLINE int shi_triangle_sphere(int bands, int sides, const double x[3], co
 
 SHI_NOINLINE int shi_within_engine(int bands, int sides, int tight, double tolerance, const double point[3], size_t count,
                                    const void *vertices, int floats, double *out, double *grad, double *error, int *used);
-/* the double engine's parts that the float functions call before they are compiled */
 typedef struct {
     const void *vertices;
     size_t count;
@@ -3894,7 +3894,7 @@ SHI_KERNEL void SHI_KN(shi_polygon_sums_of)(int ns, int nt, int groups, const SH
             const SHI_T *const beta = SHI_FN(shi_beta);
             SHI_V q0 = c0, p0 = d0, q1 = c0, p1 = d0;
             for (l = 0; l < n; l++) {
-                const SHI_T k = beta[SHI_ROWS(l + 1, 0)];
+                const SHI_T k = beta[SHI_TABLE_AT(l + 1, 0)];
                 if (l < ns) s[2 * l] += q0 * node[3] + q1 * node[8];
                 if (l < nt) t[2 * l] += q0 * node[4] + q1 * node[9];
                 SHI_KN(shi_polygon_climb)(z0, k, &q0, &p0);
@@ -3914,7 +3914,7 @@ SHI_KERNEL void SHI_KN(shi_polygon_sums_of)(int ns, int nt, int groups, const SH
             if (m < ns) from_s += 2 * (ns - m);
             if (m < nt) from_t += 2 * (nt - m);
             for (l = m; l < both; l++) {
-                const SHI_T k = beta[SHI_ROWS(l + 1, m)];
+                const SHI_T k = beta[SHI_TABLE_AT(l + 1, m)];
                 a[0] += q0 * wc0 + q1 * wc1;
                 a[1] += q0 * wd0 + q1 * wd1;
                 b[0] += q0 * vc0 + q1 * vc1;
@@ -3925,7 +3925,7 @@ SHI_KERNEL void SHI_KN(shi_polygon_sums_of)(int ns, int nt, int groups, const SH
                 SHI_KN(shi_polygon_climb)(z1, k, &q1, &p1);
             }
             for (; l < n; l++) {
-                const SHI_T k = beta[SHI_ROWS(l + 1, m)];
+                const SHI_T k = beta[SHI_TABLE_AT(l + 1, m)];
                 if (l < ns) {
                     a[0] += q0 * wc0 + q1 * wc1;
                     a[1] += q0 * wd0 + q1 * wd1;
@@ -4019,8 +4019,7 @@ SHI_INLINE void SHI_KN(shi_polygon_above)(int n, int l, int m, int sine, const S
 }
 
 /* out[planes][N] from totals:
- *     L_lm = value + (2l+1)/(l(l+1)) sum_k <x_k Y_lm, Y_{l-1}> flux_k       since mu.grad(r^l Y) is the edge
- *     flux of Y
+ *     L_lm = value + (2l+1)/(l(l+1)) sum_k <x_k Y_lm, Y_{l-1}> flux_k       since mu.grad(r^l Y) is the edge flux of Y
  *     dL/dx_k = slope_k - (l-2) <x_k Y_lm, Y_{l-1}> ray + (l+3) <x_k Y_lm, Y_{l+1}> ray      from grad(Y/r^3)
  * brackets in the monic basis, where they are rational. surface = 0: value and ray are not read. */
 SHI_INLINE void SHI_KN(shi_polygon_finish)(int n, int planes, int surface, const SHI_V *totals, SHI_V *out)
@@ -4033,10 +4032,11 @@ SHI_INLINE void SHI_KN(shi_polygon_finish)(int n, int planes, int surface, const
     const int size = n * n, step = n * (n + 1), one = n * (n - 1), two = 2 * one;
     int l, m, sine, k;
     for (m = 0; m < n; m++) {
-        const SHI_V *to = slope + SHI_PACKED_COLUMN(n, m), *low = totals + SHI_FLUX_AT(n) + (m ? SHI_PACKED_COLUMN(n - 1, m - 1) : 0);
+        const SHI_V *to = slope + SHI_PACKED_COLUMN(n, m);
+        const SHI_V *low = totals + SHI_FLUX_AT(n) + (m ? SHI_PACKED_COLUMN(n - 1, m - 1) : 0);
         const SHI_V *same = totals + SHI_FLUX_AT(n) + SHI_PACKED_COLUMN(n - 1, m), *high = same + 2 * (n - 1 - m);
         for (l = m; l < n; l++) {
-            const SHI_T norm = SHI_FN(shi_norm)[SHI_ROWS(l, m)], p = norm * part[l];
+            const SHI_T norm = SHI_FN(shi_norm)[SHI_TABLE_AT(l, m)], p = norm * part[l];
             SHI_V *const o = out + l * (l + 1);
             SHI_V c = SHI_SPLAT(0), s = c; /* columns m - 1, m and m + 1 of degree l - 1 */
             if (m > 0) {
@@ -4070,7 +4070,7 @@ SHI_INLINE void SHI_KN(shi_polygon_finish)(int n, int planes, int surface, const
     if (!surface) return;
     for (l = 0; l < n; l++)
         for (m = 0; m <= l; m++) {
-            const SHI_T norm = SHI_FN(shi_norm)[SHI_ROWS(l, m)], both = SHI_C((2 * l - 1) * (2 * l + 1));
+            const SHI_T norm = SHI_FN(shi_norm)[SHI_TABLE_AT(l, m)], both = SHI_C((2 * l - 1) * (2 * l + 1));
             for (sine = 0; sine <= (m > 0); sine++) {
                 const int i = l * l + l + (sine ? -m : m);
                 SHI_V a[3], b[3];
@@ -4845,6 +4845,14 @@ SHI_INLINE void shi_sink_put(shi_sink *k, const double u[3], double w, double v)
     at[4 * W] = v;
     if (++k->fill == SHI_SINK_GROUPS * W) shi_sink_flush(k);
 }
+/* lane sums of the sink */
+SHI_INLINE void shi_sink_add(shi_sink *sink, double *s_out, double *t_out)
+{
+    int i;
+    if (sink->fill) shi_sink_flush(sink);
+    for (i = 0; i < sink->ns * (sink->ns + 1); i++) s_out[i] = SHI_MANY(shi_sum)(sink->s[i]);
+    for (i = 0; i < sink->nt * (sink->nt + 1); i++) t_out[i] = SHI_MANY(shi_sum)(sink->t[i]);
+}
 
 /* ---- edges: nodes along the arc ---- */
 
@@ -4969,20 +4977,11 @@ SHI_NOINLINE void shi_triangle_nodes(shi_sink *sink, const shi_corner *c0, const
     }
 }
 
-/* ---- the engine ---- */
-
-/* lane sums of the sink */
-SHI_INLINE void shi_sink_add(shi_sink *sink, double *s_out, double *t_out)
-{
-    int i;
-    if (sink->fill) shi_sink_flush(sink);
-    for (i = 0; i < sink->ns * (sink->ns + 1); i++) s_out[i] = SHI_MANY(shi_sum)(sink->s[i]);
-    for (i = 0; i < sink->nt * (sink->nt + 1); i++) t_out[i] = SHI_MANY(shi_sum)(sink->t[i]);
-}
+/* ---- the fan of a polygon: its solid angle, and the side that the point is on ---- */
 
 /* tan of half the solid angle of triangle a, b, c is its volume times 6 over R = |a||b||c| + (a.b)|c| + (b.c)|a| + (a.c)|b| (Van
- * Oosterom and Strackee 1983). R decides between 0 and 2 pi; for the foot of a needle's point
- * it is small of second order, and rounding decided */
+ * Oosterom and Strackee 1983). R's sign decides between 0 and 2 pi; above the foot of a needle R nearly cancels, and is taken again in twice
+ * the precision */
 SHI_INLINE double shi_fan_even(shi_two v[3][3], double *lengths)
 {
     shi_two r[3], dot[3], sum;
@@ -5112,7 +5111,8 @@ SHI_INLINE double shi_engine_plane(const shi_scene *scene, const double area[3],
 }
 
 /* totals by the edges; returns the solid angle */
-SHI_NOINLINE double shi_engine_edges(const shi_scene *scene, int bands, int with_grad, int tight, const shi_fan_sums *fan, double *totals)
+SHI_NOINLINE double shi_engine_edges(const shi_scene *scene, int bands, int with_grad, int tight, const shi_fan_sums *fan,
+                                     double *totals)
 {
     const int ns = bands - 1, nt = with_grad ? bands : 0, flux = ns * bands, slope = bands * (bands + 1);
     double s[(SH_MAX_POLYGON_BANDS + 1) * (SH_MAX_POLYGON_BANDS + 2)], t[(SH_MAX_POLYGON_BANDS + 1) * (SH_MAX_POLYGON_BANDS + 2)];
@@ -5433,16 +5433,14 @@ SHI_NOINLINE int shi_within_engine(int bands, int sides, int tight, double toler
                          second = 0.5 * q * shi_second_bound(l) * unit / nearest5;
             const double sixth = unit / (nearest * nearest * nearest);
             const double alpha = s < 1 ? sqrt(1 - s) : 0;
-            double cap = 0; /* sup of the cap's deviation: 1 - P_l' slope, at most l(l+1) s/8 + s */
-            cap = unit / (d * d * d) * ((double)(l * (l + 1)) / 8 + 1) * (1 - alpha) * 2;
+            /* sup of the cap's deviation: 1 - P_l' slope, at most l(l+1) s/8 + s */
+            const double cap = unit / (d * d * d) * ((double)(l * (l + 1)) / 8 + 1) * (1 - alpha) * 2;
+            const double b = sixth * six[l], b4 = sixth * six4[l];
             sums[SPHERE] += m2 * (second + cap) * (second + cap);
             sums[POINT] += m2 * second * second;
             sums[POINT4] += m2 * (second / 4) * (second / 4);
-            {
-                const double b = sixth * six[l], b4 = sixth * six4[l];
-                sums[SEVEN] += m2 * b * b;
-                sums[SEVEN4] += m2 * b4 * b4;
-            }
+            sums[SEVEN] += m2 * b * b;
+            sums[SEVEN4] += m2 * b4 * b4;
         }
         for (k = 0; k < 5; k++) total[k] += sqrt(sums[k]);
     }
@@ -5500,7 +5498,7 @@ SHI_NOINLINE int shi_within_engine(int bands, int sides, int tight, double toler
 
 /* ---- checks and conversion ---- */
 
-SHI_INLINE int SHI_FN(shi_polygon_check)(int bands, int sides, const SHI_T *point, size_t count, const SHI_T *vertices)
+SHI_INLINE int SHI_FN(shi_check_polygon)(int bands, int sides, const SHI_T *point, size_t count, const SHI_T *vertices)
 {
     if (bands < 1 || bands > SH_MAX_POLYGON_BANDS) return SH_ERROR_BANDS;
     if (sides < SH_BOTH || sides > SH_SIGNED) return SH_ERROR_OPTION;
@@ -5511,7 +5509,7 @@ SHI_INLINE int SHI_FN(shi_polygon_check)(int bands, int sides, const SHI_T *poin
 }
 
 /* value[n] is required; it and grad[3][n], or NULL, are apart from each other and from what is read */
-SHI_INLINE int SHI_FN(shi_polygon_outputs)(size_t n, const SHI_T *point, size_t count, const SHI_T *vertices, const SHI_T *value,
+SHI_INLINE int SHI_FN(shi_check_polygon_outputs)(size_t n, const SHI_T *point, size_t count, const SHI_T *vertices, const SHI_T *value,
                                            const SHI_T *grad)
 {
     const size_t size = n * sizeof *value, read = 3 * count * sizeof *vertices;
@@ -5544,8 +5542,8 @@ SHI_INLINE void SHI_FN(shi_polygon_store)(size_t count, const double *in, SHI_T 
  * Both precisions compute in double, with the differences and determinants of the given numbers in twice
  * that: a float call is a double engine between float inputs and outputs.
  * Error:  |c - exact| <= 64 eps M_l sum |Omega_fan|, |grad - exact| <= 64 eps sum_fan (M_l |grad Omega_fan| +
- *         G_l Omega_fan/d) with the fan of vertex 0 and d the distance of the nearest vertex; 1000 eps within
- *         1e-3 (seen from the point, of the edge's length) of an edge. From size/distance 10 to 1e-6, needles
+ *         G_l Omega_fan/d) with the fan of vertex 0 and d the distance of the nearest vertex; 1000 eps nearer
+ *         to an edge than 1e-3 of its length. From size/distance 10 to 1e-6, needles
  *         of 1:1000, grazing angles to 1e-6.
  * Source: edges: divergence theorem on the sphere, with mu . grad(r^l Y_lm) in place of WR18 Eq. 29-32,
  *         integrated by Gauss rules along the arc. Thin, small or grazing polygons: positive Gauss rules over
@@ -5556,8 +5554,8 @@ SH_API int SHI_FN(sh_polygon)(int bands, int sides, const SHI_T point[3], size_t
 {
     const size_t size = (size_t)bands * (size_t)bands;
     double p[3], c[SH_MAX_POLYGON_BANDS * SH_MAX_POLYGON_BANDS], g[3 * SH_MAX_POLYGON_BANDS * SH_MAX_POLYGON_BANDS];
-    int k, status = SHI_FN(shi_polygon_check)(bands, sides, point, count, vertices);
-    if (!status) status = SHI_FN(shi_polygon_outputs)(size, point, count, vertices, coeffs, grad);
+    int k, status = SHI_FN(shi_check_polygon)(bands, sides, point, count, vertices);
+    if (!status) status = SHI_FN(shi_check_polygon_outputs)(size, point, count, vertices, coeffs, grad);
     if (status) return status;
     for (k = 0; k < 3; k++) p[k] = (double)point[k];
     status = shi_polygon_engine(bands, sides, SHI_BITS == 64, p, count, vertices, SHI_BITS == 32, c, grad ? g : NULL, NULL);
@@ -5573,8 +5571,8 @@ SH_API int SHI_FN(sh_polygon_solid_angle)(int sides, const SHI_T point[3], size_
 {
     const double root = SHI_ROOT_FOUR_PI;          /* sqrt(4 pi) */
     double p[3], c[1], g[3];
-    int k, status = SHI_FN(shi_polygon_check)(1, sides, point, count, vertices);
-    if (!status) status = SHI_FN(shi_polygon_outputs)(1, point, count, vertices, omega, grad);
+    int k, status = SHI_FN(shi_check_polygon)(1, sides, point, count, vertices);
+    if (!status) status = SHI_FN(shi_check_polygon_outputs)(1, point, count, vertices, omega, grad);
     if (status) return status;
     for (k = 0; k < 3; k++) p[k] = (double)point[k];
     status = shi_polygon_engine(1, sides, SHI_BITS == 64, p, count, vertices, SHI_BITS == 32, c, grad ? g : NULL, NULL);
@@ -5595,8 +5593,7 @@ SH_API int SHI_FN(sh_polygon_solid_angle)(int sides, const SHI_T point[3], size_
  *   error   NULL, or a bound on the Euclidean norm, over all coefficients, of what separates the
  *           approximation from the triangle's exact light; infinite (the largest number) where the distance
  *           is below the triangle's radius.
- *           Typically 2-5 % of the norm at size/distance 0.1 and no use at 0.5: the approximation itself is
- *           23-87 % wrong there.
+ *           Typically 1-10 % of the norm at size/distance 0.1 and no use above 0.3 (docs/polygons.md).
  *
  * |cos| = 0 (point in the triangle's plane): zeros; gradient 0 with SH_BOTH and SH_FRONT, which have a kink there, and exact with
  * SH_SIGNED. A triangle without area: zeros. Point on or inside the sphere: L_00 = 2 sqrt(pi) times the cosine factor, gradient
@@ -5615,8 +5612,8 @@ SH_API int SHI_FN(sh_triangle_as_sphere)(int bands, int sides, const SHI_T point
     if (!point || !a || !b || !c || !coeffs) return SH_ERROR_NULL;
     if (!SHI_FN(shi_finite)(point, 3) || !SHI_FN(shi_finite)(a, 3) || !SHI_FN(shi_finite)(b, 3) || !SHI_FN(shi_finite)(c, 3))
         return SH_ERROR_NOT_FINITE;
-    status = SHI_FN(shi_polygon_outputs)(size, point, 1, a, coeffs, grad);
-    if (!status) status = SHI_FN(shi_polygon_outputs)(size, b, 1, c, coeffs, grad);
+    status = SHI_FN(shi_check_polygon_outputs)(size, point, 1, a, coeffs, grad);
+    if (!status) status = SHI_FN(shi_check_polygon_outputs)(size, b, 1, c, coeffs, grad);
     if (status) return status;
     if (shi_overlap(error, sizeof *error, coeffs, size * sizeof *coeffs)
         || shi_overlap(error, sizeof *error, grad, 3 * size * sizeof *grad)) return SH_ERROR_OVERLAP;
@@ -5643,16 +5640,15 @@ SH_API int SHI_FN(sh_triangle_as_sphere)(int bands, int sides, const SHI_T point
  *   used       NULL, or SH_USED_SPHERE, SH_USED_CUBATURE, SH_USED_SUBDIVISION, SH_USED_EXACT
  *
  * Guarantees |coeffs - exact| <= error <= tolerance (or the bound of sh_polygon), plus 64 eps of the light's own norm. The
- * gradient is that of the representation taken, and has no such bound. The bounds are proven, not estimated, and therefore on the
- * safe side:
- * Taylor and Cauchy remainders with the suprema of each band (docs/polygons.md). */
+ * gradient is that of the representation taken, and has no such bound. The bounds are proven, not estimated, and
+ * therefore on the safe side: Taylor and Cauchy remainders with the suprema of each band (docs/polygons.md). */
 SH_API int SHI_FN(sh_polygon_within)(int bands, int sides, SHI_T tolerance, const SHI_T point[3], size_t count,
                                      const SHI_T *vertices, SHI_T *coeffs, SHI_T *grad, SHI_T *error, int *used)
 {
     const size_t size = (size_t)bands * (size_t)bands;
     double p[3], c[SH_MAX_POLYGON_BANDS * SH_MAX_POLYGON_BANDS], g[3 * SH_MAX_POLYGON_BANDS * SH_MAX_POLYGON_BANDS], e;
-    int k, status = SHI_FN(shi_polygon_check)(bands, sides, point, count, vertices);
-    if (!status) status = SHI_FN(shi_polygon_outputs)(size, point, count, vertices, coeffs, grad);
+    int k, status = SHI_FN(shi_check_polygon)(bands, sides, point, count, vertices);
+    if (!status) status = SHI_FN(shi_check_polygon_outputs)(size, point, count, vertices, coeffs, grad);
     if (status) return status;
     if (shi_overlap(error, sizeof *error, coeffs, size * sizeof *coeffs)
         || shi_overlap(error, sizeof *error, grad, 3 * size * sizeof *grad)) return SH_ERROR_OVERLAP;
@@ -6021,8 +6017,8 @@ SH_API int SHI_FN(sh_polygon_zonal)(int bands, const SHI_T axis[3], const SHI_T 
                                     SHI_T *s, SHI_T *grad)
 {
     double a[3], p[3], out[SH_MAX_POLYGON_BANDS], g[3 * SH_MAX_POLYGON_BANDS], size = 0;
-    int k, status = axis && s ? SHI_FN(shi_polygon_check)(bands, SH_BOTH, point, count, vertices) : SH_ERROR_NULL;
-    if (!status) status = SHI_FN(shi_polygon_outputs)((size_t)bands, point, count, vertices, s, grad);
+    int k, status = axis && s ? SHI_FN(shi_check_polygon)(bands, SH_BOTH, point, count, vertices) : SH_ERROR_NULL;
+    if (!status) status = SHI_FN(shi_check_polygon_outputs)((size_t)bands, point, count, vertices, s, grad);
     if (status) return status;
     if (!SHI_FN(shi_finite)(axis, 3)) return SH_ERROR_NOT_FINITE;
     for (k = 0; k < 3; k++) {
@@ -6220,8 +6216,7 @@ SHI_INLINE int SHI_FN(shi_texels_near)(const SHI_FN(shi_texture) *t, int c, cons
  *   most       pieces that fit in the arrays; width*height always suffices
  *   pieces     receives their number, also when it exceeds `most` (SH_ERROR_COUNT); with any of counts,
  *              vertices and radiance NULL, only this is done
- *   counts     [pieces], all 4;  vertices [pieces][4][3];  radiance [channels][pieces]: the means; stride
- *                                *pieces
+ *   counts     [pieces], all 4;  vertices [pieces][4][3];  radiance [channels][pieces]: the means; stride *pieces
  *
  * Call it once with NULLs for the number, again with arrays. Pieces without light in any channel are left out.
  * Error: |sum of pieces - sum of texels| <= tolerance times the norm of the whole quad's coefficients, per channel. */

@@ -166,21 +166,27 @@ SHI_INLINE double shi_window(int kind, double width, int l)
     return kind == SH_HANN ? 0.5 * (1 + cos(x)) : x > 0 ? sin(x) / x : 1;
 }
 
+/* Axes of the plane tangent to the unit sphere at v, the first one nearest to the coordinate axis that v is farthest from. */
+SHI_INLINE void shi_tangent_axes(const double v[3], double e[2][3])
+{
+    const int k = fabs(v[0]) < fabs(v[1]) ? (fabs(v[0]) < fabs(v[2]) ? 0 : 2) : fabs(v[1]) < fabs(v[2]) ? 1 : 2;
+    double size;
+    int i;
+    for (i = 0; i < 3; i++) e[0][i] = (i == k) - v[k] * v[i];
+    size = sqrt(e[0][0] * e[0][0] + e[0][1] * e[0][1] + e[0][2] * e[0][2]);
+    for (i = 0; i < 3; i++) e[0][i] /= size;
+    for (i = 0; i < 3; i++) e[1][i] = v[(i + 1) % 3] * e[0][(i + 2) % 3] - v[(i + 2) % 3] * e[0][(i + 1) % 3];
+}
+
 /* Step downhill on the unit sphere from v, where a function has these Cartesian derivatives (hess xx xy xz yy yz zz):
  * Newton's, with the eigenvalues of the tangent plane's Hessian made positive. It has no scale: a power of two takes the
  * Hessian's out, so that its squares stay in range. */
 SHI_INLINE void shi_newton_step(const double v[3], const double grad[3], const double hess[6], double step[3])
 {
-    double e[2][3], h[2][2], form[2][3], len, mean, half, r;
+    double e[2][3], h[2][2], form[2][3], mean, half, r;
     int i, j, k, exponent;
 
-    /* axes of the tangent plane, the first one nearest to the coordinate axis that v is farthest from */
-    k = fabs(v[0]) < fabs(v[1]) ? (fabs(v[0]) < fabs(v[2]) ? 0 : 2) : fabs(v[1]) < fabs(v[2]) ? 1 : 2;
-    for (i = 0; i < 3; i++) e[0][i] = (i == k) - v[k] * v[i];
-    len = sqrt(e[0][0] * e[0][0] + e[0][1] * e[0][1] + e[0][2] * e[0][2]);
-    for (i = 0; i < 3; i++) e[0][i] /= len;
-    for (i = 0; i < 3; i++)
-        e[1][i] = v[(i + 1) % 3] * e[0][(i + 2) % 3] - v[(i + 2) % 3] * e[0][(i + 1) % 3];
+    shi_tangent_axes(v, e);
     for (j = 0; j < 2; j++) {
         form[j][0] = hess[0] * e[j][0] + hess[1] * e[j][1] + hess[2] * e[j][2];
         form[j][1] = hess[1] * e[j][0] + hess[3] * e[j][1] + hess[4] * e[j][2];
@@ -1033,7 +1039,7 @@ SHI_INLINE void SHI_KN(shi_prod_turn)(int l, SHI_V *d, const SHI_V *c, const SHI
     }
 }
 
-/* ... and back by it. */
+/* ... and back by it: a function of its own, or other products would be fused. */
 SHI_INLINE void SHI_KN(shi_prod_turn_back)(int l, SHI_V *d, const SHI_V *c, const SHI_V *s)
 {
     int m;
@@ -1693,8 +1699,8 @@ SHI_INLINE int SHI_FN(shi_products)(int na, int nb, int n, size_t count, const S
     if (!count) return SH_OK;
     if (!a || !b || !out) return SH_ERROR_NULL;
     bytes = count * (size_t)(n * n) * sizeof(SHI_T);
-    if (shi_clash(out, bytes, a, count * (size_t)(na * na) * sizeof(SHI_T)) ||
-        shi_clash(out, bytes, b, count * (size_t)(nb * nb) * sizeof(SHI_T))) return SH_ERROR_OVERLAP;
+    if (shi_clash(out, bytes, a, count * (size_t)(na * na) * sizeof(SHI_T))
+        || shi_clash(out, bytes, b, count * (size_t)(nb * nb) * sizeof(SHI_T))) return SH_ERROR_OVERLAP;
     while (4 * pairs - 1 < na + nb + n - 3 || pairs * SHI_BITS < SH_VECTOR_BYTES * 8) {
         first += pairs;
         pairs *= 2;
@@ -1958,7 +1964,8 @@ SH_API int SHI_FN(sh_cosine_product_zonal)(int bands, int zonal_bands, const SHI
  *   bands        1 to what the system has
  *   ours         [N]
  *   theirs       [sh_convention_size(convention, bands)], apart from ours
- * Error:  none where the systems differ in order, sign and axes; else each number is within one eps (sn3d: 1.5), there and back too.
+ * Error:  none where the systems differ in order, sign and axes; else each number is within one eps (sn3d: 1.5), there and
+ *         back too.
  *         Forms that mix coefficients (unity-packed, babylon-polynomial): within 8 eps of the largest of them. */
 SH_API int SHI_FN(sh_convert_to)(int convention, int bands, const SHI_T *ours, SHI_T *theirs)
 {
@@ -2168,18 +2175,14 @@ SHI_NOINLINE SHI_T SHI_FN(shi_lowest_about)(int bands, const SHI_T *c, double sp
     int turn, i, k, found = 1;
     for (turn = 0; turn < 8 && found; turn++) {
         const double w[3] = { (double)where[0], (double)where[1], (double)where[2] };
-        const int axis = fabs(w[0]) < fabs(w[1]) ? (fabs(w[0]) < fabs(w[2]) ? 0 : 2) : fabs(w[1]) < fabs(w[2]) ? 1 : 2;
-        double s[3], t[3], size;
-        for (k = 0; k < 3; k++) s[k] = (k == axis) - w[axis] * w[k];
-        size = sqrt(s[0] * s[0] + s[1] * s[1] + s[2] * s[2]);
-        for (k = 0; k < 3; k++) s[k] /= size;
-        for (k = 0; k < 3; k++) t[k] = w[(k + 1) % 3] * s[(k + 2) % 3] - w[(k + 2) % 3] * s[(k + 1) % 3];
+        double e[2][3];
+        shi_tangent_axes(w, e);
         for (found = 0, i = 0; i < 32 && !found; i++) {
-            static const double turns[8][2] = { { 1, 0 }, { 0, 1 }, { -1, 0 }, { 0, -1 }, { 0.7, 0.7 }, { -0.7, 0.7 }, { -0.7, -0.7 },
-                                                { 0.7, -0.7 } };
+            static const double turns[8][2] = { { 1, 0 }, { 0, 1 }, { -1, 0 }, { 0, -1 },
+                                                { 0.7, 0.7 }, { -0.7, 0.7 }, { -0.7, -0.7 }, { 0.7, -0.7 } };
             const double away = spacing * (i < 8 ? 0.8 : i < 16 ? 1.6 : i < 24 ? 3.2 : 0.4);
             SHI_T u[3], value;
-            for (k = 0; k < 3; k++) u[k] = (SHI_T)(w[k] + away * (turns[i % 8][0] * s[k] + turns[i % 8][1] * t[k]));
+            for (k = 0; k < 3; k++) u[k] = (SHI_T)(w[k] + away * (turns[i % 8][0] * e[0][k] + turns[i % 8][1] * e[1][k]));
             value = SHI_FN(shi_descend)(bands, c, u);
             if (!(value < best)) continue;
             found = best - value > SHI_EPS * (value < 0 ? -value : value);

@@ -35,7 +35,7 @@ static const int basis_bands[] = { 3, 4, 5, 6, 8, 10 };
 PER_CALL(values_library, FN(sh_eval)(in->bands, in->dirs + 3 * d, in->y + n2 * i))
 PER_CHUNK(values_library_n, FN(sh_eval_n)(in->bands, in->chunk, in->dirs + 3 * first, in->y))
 PER_CHUNK(values_library_blocks,
-          FN(sh_eval_blocks)(in->bands, in->chunk / 8, in->dir_blocks + 3 * first, in->y))
+          FN(sh_eval_blocks)(in->bands, in->chunk / SH_BLOCK, in->dir_blocks + 3 * first, in->y))
 
 /* ---- derivatives by the angles: y, then d/dtheta and d/dphi in the space of grad, [chunk][n^2] each ---- */
 
@@ -51,7 +51,7 @@ PER_CALL(gradient_library,
 PER_CHUNK(gradient_library_n,
           FN(sh_eval_grad_n)(in->bands, in->chunk, in->vectors + 3 * first, in->y, in->grad))
 PER_CHUNK(gradient_library_blocks,
-          FN(sh_eval_grad_blocks)(in->bands, in->chunk / 8, in->vector_blocks + 3 * first, in->y, in->grad))
+          FN(sh_eval_grad_blocks)(in->bands, in->chunk / SH_BLOCK, in->vector_blocks + 3 * first, in->y, in->grad))
 
 /* ---- Hessian ---- */
 
@@ -60,7 +60,7 @@ PER_CALL(hessian_library, FN(sh_eval_hessian)(in->bands, in->vectors + 3 * d, in
 PER_CHUNK(hessian_library_n,
           FN(sh_eval_hessian_n)(in->bands, in->chunk, in->vectors + 3 * first, in->y, in->grad, in->hess))
 PER_CHUNK(hessian_library_blocks,
-          FN(sh_eval_hessian_blocks)(in->bands, in->chunk / 8, in->vector_blocks + 3 * first, in->y, in->grad,
+          FN(sh_eval_hessian_blocks)(in->bands, in->chunk / SH_BLOCK, in->vector_blocks + 3 * first, in->y, in->grad,
                                      in->hess))
 
 /* ---- sum of c_k Y_k at each direction, and sum of w Y over all: basis, then a loop ---- */
@@ -148,7 +148,7 @@ static const real *to_blocks(const real *plain)
     real *out = bench_alloc(3 * DIRECTIONS, sizeof *out);
     size_t i, k;
     for (i = 0; i < DIRECTIONS; i++)
-        for (k = 0; k < 3; k++) out[(i / 8 * 3 + k) * 8 + i % 8] = plain[3 * i + k];
+        for (k = 0; k < 3; k++) out[(i / SH_BLOCK * 3 + k) * SH_BLOCK + i % SH_BLOCK] = plain[3 * i + k];
     return out;
 }
 
@@ -164,7 +164,7 @@ static void add(const basis_input *in, const char *kernel, const char *impl, voi
     c.items = DIRECTIONS;
     c.run = run;
     c.input = in;
-    c.lanes = strcmp(impl, "library_blocks") ? 1 : 8;
+    c.lanes = strcmp(impl, "library_blocks") ? 1 : SH_BLOCK;
     c.held = in->chunk;
     c.tolerance = 200 * REAL_EPS;       /* the directions keep off the poles, where M22's forms lose digits */
     c.out[0].data = in->y;
@@ -205,7 +205,7 @@ static size_t chunk_of(size_t numbers)
     static const size_t blocks[] = { 60, 30, 20, 15, 12, 10, 6, 5, 4, 3 };
     size_t k;
     for (k = 0; k < sizeof blocks / sizeof blocks[0]; k++)
-        if (8 * blocks[k] * numbers * sizeof(real) <= OUTPUT_BYTES) return 8 * blocks[k];
+        if (SH_BLOCK * blocks[k] * numbers * sizeof(real) <= OUTPUT_BYTES) return SH_BLOCK * blocks[k];
     return 16;
 }
 

@@ -117,7 +117,7 @@ static void grid_per_light(const bench_case *self)
 
 static const char *kernel_name(int planes)
 {
-    return planes == 1 ? "values" : planes == 4 ? "gradient" : "hessian";
+    return planes == SH_VALUES ? "values" : planes == SH_GRADIENT ? "gradient" : "hessian";
 }
 
 /* items: what ns are per; nodes: how many the output holds; column: the table's column, 0 for the bands */
@@ -160,7 +160,7 @@ static lights_input *make_input(const lights_scene *scene, int bands, int planes
     return in;
 }
 
-static const int all_planes[] = { 1, 4, 10 };
+static const int all_planes[] = { SH_VALUES, SH_GRADIENT, SH_HESSIAN };
 
 void FN(bench_lights)(void)
 {
@@ -179,7 +179,7 @@ void FN(bench_lights)(void)
             bench_add(&c);
             c = make_case(in, "per_light", point_per_light, LIGHTS, 1, 0);
             bench_add(&c);
-            if (in->planes == 10) continue;
+            if (in->planes == SH_HESSIAN) continue;
             c = make_case(in, "per_light_auto", point_per_light_auto, LIGHTS, 1, 0);
             bench_add(&c);
         }

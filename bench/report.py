@@ -156,6 +156,9 @@ def main(paths):
         table(main_run, 'basis', 'angles', 'sloan_like', 'f64')
         table(main_run, 'basis', 'gradient', 'sloan_like', 'f64')
 
+    print('Inner loops were looked at with `make bench-loops` (bench/loops.py over objdump): instructions, FMAs, loads from and '
+          'stores to the stack per loop.\n')
+
     if main_run.columns('stream', 'values', 'f32'):
         heading('Arrays')
         print('5 bands written to an array, by the number of directions: in L2, and beyond every cache. The fused calls '
@@ -163,9 +166,6 @@ def main(paths):
         floors(main_run, 'stream')
         for kernel, base in (('values', 'sloan'), ('gradient', None), ('reconstruct', None), ('project', None)):
             table(main_run, 'stream', kernel, base, by=5)
-
-    print('Inner loops were looked at with `make bench-loops` (bench/loops.py over objdump): instructions, FMAs, loads from and '
-          'stores to the stack per loop.\n')
 
     heading('Sphere lights (M22 Table 2, Fig. 10, 13, 14)')
     print('648 lights at one point, ns per light:\n')

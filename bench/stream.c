@@ -27,9 +27,9 @@ typedef struct stream_input {
 STREAM(values_sloan, size_t i;
        for (i = 0; i < in->count; i++) sloan_values(BANDS, in->dirs + 3 * i, in->y + N2 * i);)
 STREAM(values_n, FN(sh_eval_n)(BANDS, in->count, in->dirs, in->y);)
-STREAM(values_blocks, FN(sh_eval_blocks)(BANDS, in->count / 8, in->blocks, in->y);)
+STREAM(values_blocks, FN(sh_eval_blocks)(BANDS, in->count / SH_BLOCK, in->blocks, in->y);)
 STREAM(gradient_n, FN(sh_eval_grad_n)(BANDS, in->count, in->dirs, in->y, in->grad);)
-STREAM(gradient_blocks, FN(sh_eval_grad_blocks)(BANDS, in->count / 8, in->blocks, in->y, in->grad);)
+STREAM(gradient_blocks, FN(sh_eval_grad_blocks)(BANDS, in->count / SH_BLOCK, in->blocks, in->y, in->grad);)
 STREAM(reconstruct, FN(sh_reconstruct_n)(BANDS, in->coeffs, in->count, in->dirs, in->y, NULL);)
 STREAM(reconstruct_grad, FN(sh_reconstruct_n)(BANDS, in->coeffs, in->count, in->dirs, in->y, in->grad);)
 STREAM(project, FN(sh_project_n)(BANDS, in->count, in->dirs, in->weights, in->y);)
@@ -47,7 +47,7 @@ static void add(const stream_input *in, const char *kernel, const char *impl, vo
     c.run = run;
     c.input = in;
     c.held = numbers ? in->count : 1;
-    c.lanes = strcmp(impl, "library_blocks") ? 1 : 8;
+    c.lanes = strcmp(impl, "library_blocks") ? 1 : SH_BLOCK;
     c.tolerance = 400 * REAL_EPS;
     c.out[0].data = in->y;
     c.out[0].numbers = numbers ? numbers : N2;
@@ -73,7 +73,7 @@ void FN(bench_stream)(void)
         for (i = 0; i < count; i++) {
             const double z = 2 * bench_random() - 1, r = sqrt(1 - z * z), p = 6.283185307179586 * bench_random();
             const double u[3] = { r * cos(p), r * sin(p), z };
-            for (a = 0; a < 3; a++) blocks[(i / 8 * 3 + a) * 8 + i % 8] = dirs[3 * i + a] = C(u[a]);
+            for (a = 0; a < 3; a++) blocks[(i / SH_BLOCK * 3 + a) * SH_BLOCK + i % SH_BLOCK] = dirs[3 * i + a] = C(u[a]);
             weights[i] = C(bench_random());
         }
         for (i = 0; i < N2; i++) coeffs[i] = C(2 * bench_random() - 1);

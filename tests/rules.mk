@@ -69,3 +69,21 @@ sanitize-address sanitize-memory: sanitize-%: | $(TESTS_DIR)
 .PHONY: test-install
 TEST_TARGETS += test-install
 test-install: ; @sh tests/install.sh
+
+# the headers on WebAssembly's SIMD, in node
+TEST_TARGETS += test-wasm
+.PHONY: test-wasm
+test-wasm: ; @sh tests/wasm/run.sh $(BUILD)/wasm
+
+# Raw bits into every call of sh_polygon.h: what comes out is finite, and nothing is written beside it. A few rounds with
+# `make test`; FUZZ_ROUNDS=1000000 takes twenty minutes.
+FUZZ_ROUNDS ?= 20000
+.PHONY: fuzz-polygon test-fuzz
+fuzz: fuzz-polygon
+TEST_TARGETS += test-fuzz
+fuzz-polygon: $(BUILD)/fuzz_polygon
+	$(BUILD)/fuzz_polygon $(FUZZ_ROUNDS)
+test-fuzz: $(BUILD)/fuzz_polygon
+	$(BUILD)/fuzz_polygon 3000
+$(BUILD)/fuzz_polygon: tests/fuzz_polygon.c sh_polygon.h sh_gradient.h | $(BUILD)
+	$(CC) $(CPPFLAGS) -std=gnu99 -O1 -fsanitize=address,undefined -fno-sanitize-recover=all -DSH_UNROLLED_BANDS=3 $(WARN) -o $@ $< -lm

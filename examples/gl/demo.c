@@ -214,7 +214,7 @@ static int headless(const options *a, const stage *s, light *now)
     int i, good = 1;
 
     printf("%s, %s\n", (const char *)glGetString(GL_RENDERER), (const char *)glGetString(GL_VERSION));
-    printf("%d %s and a polygon of %d sides, %d bands, lobes of %d, grid %d x %d x %d, %d x %d pixels; times by the %s\n\n",
+    printf("%d %s and a moon of %d sides, %d bands, lobes of %d, grid %d x %d x %d, %d x %d pixels; times by the %s\n\n",
            s->count, kinds[o.kind], s->moon_corners, o.bands, o.lobe_bands, o.nodes[0], o.nodes[1], o.nodes[2],
            o.width, o.height, passes_clock());
     grid_ms = grids(o, s, now, &good);
@@ -227,7 +227,7 @@ static int headless(const options *a, const stage *s, light *now)
     printf("%-15s %9.2f\n", "surfaces", passes_ms(SURFACES));
     if (o.occlusion) printf("%-15s %9.2f\n", "occlusion", passes_ms(OCCLUSION));
 
-    printf("\nshading                                  ms   MAE x 1e3   largest   grid + shading over per pixel\n");
+    printf("\nshading                                  ms  error/1000   largest   grid + shading over per pixel\n");
     progress("per pixel", 0.3);
     o.scheme = PER_POINT;
     pixel_ms = timed(&o, s, now, SHADING, 1);
@@ -242,7 +242,7 @@ static int headless(const options *a, const stage *s, light *now)
         d = against_reference(o, exposure);
         printf("%-34s %8.2f   %9.3f   %7.4f   %.1fx\n", scheme_titles[i], ms, 1e3 * d.mean, d.largest,
                pixel_ms / (grid_ms + ms));
-        sprintf(text, "%s: %d x error, MAE %.2f / 1000", scheme_names[i], ERROR_SCALE, 1e3 * d.mean);
+        sprintf(text, "%s: %d x error, mean %.2f / 1000", scheme_names[i], ERROR_SCALE, 1e3 * d.mean);
         label(&o, (float)o.width / 320, text);
         part = passes_picture(&o);
         paste_small(page, o.width, i * (o.width / 3), o.height, part, o.height);

@@ -62,9 +62,9 @@ void lamps_compare(const scene *room, const float *blocked, int bands, int nodes
     sheet out = sheet_new(3 * width, 3 * (height + LABEL));
     int row, i;
 
-    printf("\nTriangle lights, %d bands, edge Hermite on %d^3 nodes: exact, and each triangle as a sphere\n", bands,
+    printf("\nTriangle lights, %d bands, edge Hermite on %d^3 nodes: exact, and each triangle as a sphere; ms for the grid\n", bands,
            nodes);
-    printf("%-26s %12s %12s %10s\n", "light", "exact ms", "spheres ms", "MAE x 1e3");
+    printf("%-26s %12s %12s %10s\n", "light", "grid, exact", "as spheres", "error/1000");
     for (row = 0; row < 3; row++) {
         method of[2] = { { "exact", SH_EDGE_HERMITE, nodes, SH_GRADIENT, 0, 0, 0, 0, NULL },
                          { "as spheres", SH_EDGE_HERMITE, nodes, SH_GRADIENT, 1, 0, 0, 0, NULL } };
@@ -90,7 +90,7 @@ void lamps_compare(const scene *room, const float *blocked, int bands, int nodes
         for (i = 0; i < 3; i++) {
             if (i == 0) sprintf(text, "%s: exact", name);
             if (i == 1) sprintf(text, "each triangle as a sphere");
-            if (i == 2) sprintf(text, "%g x the difference, MAE %.3f / 1000", (double)zoom[row], 1e3 * of[1].error);
+            if (i == 2) sprintf(text, "%g x the difference, error %.3fe-3", (double)zoom[row], 1e3 * of[1].error);
             sheet_label(&out, i * width, row * (height + LABEL), width, text);
             sheet_paste(&out, i * width, row * (height + LABEL) + LABEL, picture[i], width, height, 1);
             free(picture[i]);

@@ -142,10 +142,10 @@ static void compare(const scene *s, const view *w, const float *blocked, const o
     shade(s, w, blocked, bands, at, METHODS);
     exposure = picture_exposure(w, at[0].rgb);
     reference = picture_develop(w, at[0].rgb, exposure);
-    if (s->p.count) sprintf(text, " and a polygon of %d sides", s->p.corners);
+    if (s->p.count) sprintf(text, " and a moon of %d sides", s->p.corners);
     printf("\n%d spheres%s, %d bands, %d x %d pixels, %d points shaded\n", s->l.count, s->p.count ? text : "", bands,
            o->width, o->height, w->count);
-    printf("%-20s %5s %10s %10s %10s %9s\n", "scheme", "nodes", "build ms", "shade ms", "MAE x 1e3", "speed-up");
+    printf("%-20s %5s %10s %10s %10s %9s\n", "scheme", "nodes", "build ms", "shade ms", "error/1000", "speed-up");
     for (i = 0; i < METHODS; i++) {
         float *picture = picture_develop(w, at[i].rgb, exposure);
         const int left = i % 3 * width, top = i / 3 * (height + LABEL);
@@ -164,13 +164,14 @@ static void compare(const scene *s, const view *w, const float *blocked, const o
         printf("%-20s %5s %10.2f %10.2f %10.3f %8.1fx\n", at[i].name, nodes, 1e3 * at[i].build, 1e3 * at[i].shade,
                1e3 * at[i].error, at[0].shade / (at[i].build + at[i].shade));
         if (i == 0) sprintf(text, "%d bands per pixel; 100 x the error of:", bands);
-        else sprintf(text, "%s %s  MAE %.3f / 1000", at[i].name, nodes, 1e3 * at[i].error);
+        else sprintf(text, "%s %s  error %.3fe-3", at[i].name, nodes, 1e3 * at[i].error);
         sheet_label(&errors, left, top, width, text);
         sheet_paste(&errors, left, top + LABEL, picture, o->width, o->height, shrink);
         free(picture);
         free(at[i].rgb);
     }
     if (s->p.count) printf("* polygons have no Hessian: the moon is evaluated at every point\n");
+    printf("error: mean absolute difference of the picture from per pixel, sRGB values 0 to 1\n");
     sprintf(text, "%.200s-error.png", o->out);
     sheet_write(&errors, text);
     free(reference);
@@ -201,6 +202,7 @@ int main(int argc, char **argv)
     sprintf(polygons, "%.200s-polygons.png", o.out);
     lamps_compare(&room, blocked, o.bands ? o.bands : 9, o.grid, o.quick ? 5 : 19, o.width / 2, o.height / 2,
                   polygons);
+    printf("\nwrote %.200s.png, %.200s-error.png, %s\n", o.out, o.out, polygons);
     scene_free_copy(&s);
     scene_free_copy(&room);
     free(room.l.sphere); free(room.l.radiance); free(w.at); free(w.glow); free(blocked);

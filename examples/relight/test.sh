@@ -68,9 +68,9 @@ grep -q "^50 spheres, 3 bands" "$out/moonless.txt" || { echo "FAIL: relight --no
 cmp "$out/one.png" "$out/three.png"
 cmp "$out/one-error.png" "$out/three-error.png"
 awk '/^trilinear +16\^3/ { linear = $5 } /^edge Hermite +8\^3/ { n++; if (!($6 > 0 && $6 < linear)) bad = 1
-     printf "relight: MAE x 1e3 of edge Hermite 8^3 %s, of trilinear 16^3 %s\n", $6, linear } END { exit bad || n != 2 }' "$out/one.txt" ||
+     printf "relight: error/1000 of edge Hermite 8^3 %s, of trilinear 16^3 %s\n", $6, linear } END { exit bad || n != 2 }' "$out/one.txt" ||
     { echo "FAIL: relight: edge Hermite on 8^3 nodes does not beat trilinear on 16^3"; exit 1; }
 awk '/^a square/ { fine = $8 } /^the square/ { n++; if (!(fine > 0 && fine < $8 / 4)) bad = 1
-     printf "relight: MAE x 1e3 of 50 triangles as spheres %s, of 2 %s\n", fine, $8 } END { exit bad || n != 1 }' "$out/one.txt" ||
+     printf "relight: error/1000 of 50 triangles as spheres %s, of 2 %s\n", fine, $8 } END { exit bad || n != 1 }' "$out/one.txt" ||
     { echo "FAIL: relight: small triangles are not better spheres than large ones"; exit 1; }
 echo "relight: ok"
