@@ -5380,28 +5380,27 @@ SHI_INLINE void shi_within_node(int bands, const double p[3], const double n2[3]
     }
 }
 
-SHI_NOINLINE int shi_within_engine(int bands, int sides, int tight, double tolerance, const double point[3], size_t count,
-                                   const void *vertices, int floats, double *out, double *grad, double *error, int *used)
+/* ways of sh_polygon_within, the cheapest first: a sphere, a node, four nodes, a rule of seven, four of them, exactly */
+enum { SHI_SPHERE, SHI_POINT, SHI_POINT4, SHI_SEVEN, SHI_SEVEN4, SHI_EXACT };
+
+/* bounds of the errors of all ways but the last, summed over the fan of vertex 0; its volume times 6, and the sides of its
+ * triangles that the point is on */
+SHI_INLINE void shi_within_bounds(const shi_scene *scene, int bands, const shi_two first[3], double total[5], double *volume,
+                                  int *side)
 {
-    enum { SPHERE, POINT, POINT4, SEVEN, SEVEN4, EXACT };
-    const int size = bands * bands;
-    double total[5] = { 0, 0, 0, 0, 0 }, normal[3] = { 0, 0, 0 }, volume = 0, sign;
-    shi_scene scene;
-    shi_two first[3];
+    double normal[3] = { 0, 0, 0 };
     size_t i;
-    int k, l, way, side = 0;
-    memset(out, 0, (size_t)size * sizeof out[0]);
-    if (grad) memset(grad, 0, 3 * (size_t)size * sizeof grad[0]);
-    *error = 0;
-    shi_scene_open(&scene, point, count, vertices, floats);
-    shi_scene_vertex(&scene, 0, first);
-    for (i = 1; i + 1 < count; i++) {                       /* bounds of every way, summed over the fan */
+    int k, l;
+    for (k = 0; k < 5; k++) total[k] = 0;
+    *volume = 0;
+    *side = 0;
+    for (i = 1; i + 1 < scene->count; i++) {
         shi_two d1[3], d2[3], n[3];
         double c[3], e[3][3], n2[3], det, area, d, q = 0, reach = 0, nearest, unit, sums[5] = { 0, 0, 0, 0, 0 },
                                                    six[SH_MAX_POLYGON_BANDS], six4[SH_MAX_POLYGON_BANDS];
-        det = shi_scene_fan(&scene, first, i, d1, d2, n);
-        volume += det;
-        side |= shi_fan_side(det, n, normal);
+        det = shi_scene_fan(scene, first, i, d1, d2, n);
+        *volume += det;
+        *side |= shi_fan_side(det, n, normal);
         for (k = 0; k < 3; k++) {
             c[k] = (d1[k].h + d2[k].h) / 3;
             e[0][k] = -c[k];
@@ -5436,20 +5435,37 @@ SHI_NOINLINE int shi_within_engine(int bands, int sides, int tight, double toler
             /* sup of the cap's deviation: 1 - P_l' slope, at most l(l+1) s/8 + s */
             const double cap = unit / (d * d * d) * ((double)(l * (l + 1)) / 8 + 1) * (1 - alpha) * 2;
             const double b = sixth * six[l], b4 = sixth * six4[l];
-            sums[SPHERE] += m2 * (second + cap) * (second + cap);
-            sums[POINT] += m2 * second * second;
-            sums[POINT4] += m2 * (second / 4) * (second / 4);
-            sums[SEVEN] += m2 * b * b;
-            sums[SEVEN4] += m2 * b4 * b4;
+            sums[SHI_SPHERE] += m2 * (second + cap) * (second + cap);
+            sums[SHI_POINT] += m2 * second * second;
+            sums[SHI_POINT4] += m2 * (second / 4) * (second / 4);
+            sums[SHI_SEVEN] += m2 * b * b;
+            sums[SHI_SEVEN4] += m2 * b4 * b4;
         }
         for (k = 0; k < 5; k++) total[k] += sqrt(sums[k]);
     }
-    for (way = SPHERE; way < EXACT && !(total[way] <= tolerance); way++) {}
-    if (volume == 0 || (side == 3 && shi_scene_between(&scene))) way = EXACT;
+}
+
+SHI_NOINLINE int shi_within_engine(int bands, int sides, int tight, double tolerance, const double point[3], size_t count,
+                                   const void *vertices, int floats, double *out, double *grad, double *error, int *used)
+{
+    const int size = bands * bands;
+    double total[5], volume, sign;
+    shi_scene scene;
+    shi_two first[3];
+    size_t i;
+    int k, way, side;
+    memset(out, 0, (size_t)size * sizeof out[0]);
+    if (grad) memset(grad, 0, 3 * (size_t)size * sizeof grad[0]);
+    *error = 0;
+    shi_scene_open(&scene, point, count, vertices, floats);
+    shi_scene_vertex(&scene, 0, first);
+    shi_within_bounds(&scene, bands, first, total, &volume, &side);
+    for (way = SHI_SPHERE; way < SHI_EXACT && !(total[way] <= tolerance); way++) {}
+    if (volume == 0 || (side == 3 && shi_scene_between(&scene))) way = SHI_EXACT;
     if (used)
-        *used = way == SPHERE ? SH_USED_SPHERE : way == EXACT ? SH_USED_EXACT
-              : way == POINT4 || way == SEVEN4 ? SH_USED_SUBDIVISION : SH_USED_CUBATURE;
-    if (way == EXACT)
+        *used = way == SHI_SPHERE ? SH_USED_SPHERE : way == SHI_EXACT ? SH_USED_EXACT
+              : way == SHI_POINT4 || way == SHI_SEVEN4 ? SH_USED_SUBDIVISION : SH_USED_CUBATURE;
+    if (way == SHI_EXACT)
         return shi_polygon_engine(bands, sides, tight, point, count, vertices, floats, out, grad, NULL);
     *error = total[way];
     sign = volume < 0 ? -1 : 1;
@@ -5458,12 +5474,12 @@ SHI_NOINLINE int shi_within_engine(int bands, int sides, int tight, double toler
     for (i = 1; i + 1 < count; i++) {
         shi_two d1[3], d2[3], n[3];
         double n2[3], det, p[3];
-        int piece, pieces = way == POINT4 || way == SEVEN4 ? 4 : 1, j,
-                   from = way == SEVEN || way == SEVEN4 ? 4 : 0, to = from ? 11 : 1;
+        int piece, pieces = way == SHI_POINT4 || way == SHI_SEVEN4 ? 4 : 1, j,
+                   from = way == SHI_SEVEN || way == SHI_SEVEN4 ? 4 : 0, to = from ? 11 : 1;
         det = shi_scene_fan(&scene, first, i, d1, d2, n);
         for (k = 0; k < 3; k++) n2[k] = n[k].h;
         if (det == 0) continue;
-        if (way == SPHERE) {
+        if (way == SHI_SPHERE) {
             double v[9], x[3], c[SH_MAX_POLYGON_BANDS * SH_MAX_POLYGON_BANDS];
             double g[3 * SH_MAX_POLYGON_BANDS * SH_MAX_POLYGON_BANDS];
             for (k = 0; k < 3; k++) {                       /* about vertex 0: however far, the edges keep their digits */
