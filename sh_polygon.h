@@ -3717,6 +3717,7 @@ SHI_INLINE shi_two shi_two_root(shi_two a)
 /* the double engine's parts that the float functions call before they are compiled */
 SHI_NOINLINE int shi_polygon_engine(int bands, int sides, int tight, const double point[3], size_t count, const void *vertices,
                                     int floats, double *coeffs, double *grad, double *fan_size);
+SHI_NOINLINE double shi_polygon_sign(const double point[3], size_t count, const void *vertices, int floats);
 SHI_NOINLINE int shi_triangle_sphere(int bands, int sides, const double x[3], const double v[9], double *out, double *grad,
                                      double *error);
 
@@ -4139,6 +4140,14 @@ SHI_KERNEL SHI_V SHI_KN(shi_polygon_height)(const SHI_V x[3], const SHI_T v[3], 
     return SHI_CONVERT(h, SHI_V);
 }
 
+/* ... the sizes of its terms: its rounding is 4 ulp of double of them */
+SHI_KERNEL SHI_V SHI_KN(shi_polygon_height_size)(const SHI_V x[3], const SHI_T v[3], const double n[3])
+{
+    const SHI_D a = ((double)v[0] - SHI_CONVERT(x[0], SHI_D)) * n[0], b = ((double)v[1] - SHI_CONVERT(x[1], SHI_D)) * n[1];
+    const SHI_D c = ((double)v[2] - SHI_CONVERT(x[2], SHI_D)) * n[2];
+    return SHI_ABS(SHI_CONVERT(a, SHI_V)) + SHI_ABS(SHI_CONVERT(b, SHI_V)) + SHI_ABS(SHI_CONVERT(c, SHI_V));
+}
+
 enum { SHI_KN(shi_nodes_at_once) = 32 };
 #define SHI_NOT(m) ((SHI_M)((m) == ((m) ^ (m))))      /* lanes are -1 or 0, a scalar's mask 1 or 0 */
 #define SHI_END_ON2 (SHI_BITS == 32 ? SHI_C(1e-37) : SHI_C(1e-300 * (SHI_BITS == 64)))    /* largest |A x E|^2 seen end on */
@@ -4365,10 +4374,14 @@ SHI_KERNEL SHI_M SHI_KN(shi_view_wide)(const SHI_KN(shi_view) *o) { return SHI_N
 SHI_INLINE int SHI_KN(shi_polygon_view)(int n, int sides, const SHI_V points[3], const SHI_FN(shi_shape) *shape,
                                         SHI_KN(shi_view) *o)
 {
-    const SHI_T biggest = SHI_BITS == 32 ? SHI_C(1e8) : SHI_C(1e75), smallest = SHI_BITS == 32 ? SHI_C(1e-6) : 1 / biggest;
+    /* sizes whose squares of products are in range, and no edge looks like one seen end on (SHI_END_ON2) */
+    const SHI_T biggest = SHI_BITS == 32 ? SHI_C(1e8) : SHI_C(1e75);
+    const SHI_T smallest = SHI_BITS == 32 ? SHI_C(1e-6) : SHI_C(1e-60 * (SHI_BITS == 64));
+    /* rounding of the sum of a fan's volumes, relative to the sum of sizes */
+    const SHI_T added = shape->count > 3 ? SHI_C(shape->count) * (SHI_BITS == 32 ? SHI_C(1e-7) : SHI_C(2e-16)) : 0;
     const SHI_T *const center = shape->center, radius = shape->radius;
     const SHI_V zero = SHI_SPLAT(0), one = SHI_SPLAT(1);
-    SHI_V d2 = zero, dist, size, volume = zero;
+    SHI_V d2 = zero, dist, size, volume = zero, terms = zero, volumes = zero;
     SHI_M bad = (SHI_M)(zero == zero), between = (SHI_M)(zero != zero), first = between, compact;
     size_t i;
     int any = 0, k;
@@ -4391,18 +4404,21 @@ SHI_INLINE int SHI_KN(shi_polygon_view)(int n, int sides, const SHI_V points[3],
         const double *const normal = SHI_FN(shi_shape_normal)(shape, i, own);
         const SHI_V det = SHI_KN(shi_polygon_height)(o->x, shape->v, normal);
         volume += det;
+        volumes += SHI_ABS(det);
+        terms += SHI_KN(shi_polygon_height_size)(o->x, shape->v, normal);
         if (i <= SHI_ARCS) o->det[i - 1] = det;
         if (shape->count > 3) {
             const double along = shi_dot3(normal, shape->area);
             const SHI_M side = SHI_BITS_OF(along < 0 ? -det : det);
-            if (!(along > 0)) o->halves = 0;
+            if (!(along > shape->sliver)) o->halves = 0;
             if (fabs(along) <= shape->sliver) continue;
             if (any) between |= side ^ first;               /* sign bits, as shi_scene_between */
             else first = side;
             any = 1;
         }
     }
-    o->bad = bad | (SHI_M)(volume == zero) | (SHI_M)(between < 0);
+    /* in the plane, or halves that cancel, but for rounding: the engine knows */
+    o->bad = bad | (SHI_M)(SHI_ABS(volume) <= SHI_C(1e-15) * terms + added * volumes) | (SHI_M)(between < 0);
     o->sign = sides == SH_SIGNED ? -one : SHI_SELECT(volume < zero, -one, sides == SH_FRONT ? zero : one);
     return 1;
 }
@@ -4493,9 +4509,12 @@ SHI_INLINE void SHI_KN(shi_polygon_around)(int n, int gradient, int most, SHI_KN
         fill = 0;
     }
     if (!to) return;
-    if (view->halves) {                     /* ... of their sign, even where it rounds to -pi */
-        const SHI_V positive = SHI_ABS(fan.s), right = SHI_SELECT(view->det[0] + view->det[1] < zero, -positive, positive);
-        fan.s = SHI_SELECT(fan.c < zero, right, fan.s);
+    if (view->halves) {                     /* ... of their sign; the sine's is another beyond pi */
+        const SHI_M behind = (SHI_M)(view->det[0] + view->det[1] < zero), minus = (SHI_M)(fan.s < zero);
+        const SHI_M plus = SHI_NOT(minus) & ((SHI_M)(fan.s > zero) | (SHI_M)(fan.c < zero));
+        const SHI_M over = (minus & SHI_NOT(behind)) | (plus & behind);
+        const SHI_V turn = SHI_SELECT(behind, SHI_SPLAT(SHI_C(-2 * SHI_TAU)), SHI_SPLAT(SHI_C(2 * SHI_TAU)));
+        fan.sum += SHI_SELECT(over, turn, zero);
     }
     fan.sum += SHI_KN(shi_fan_angle)(fan.c, fan.s);
     /* the fan is relatively exact but near its sides' planes, where the sides are long and turn well-defined angles */
@@ -4754,14 +4773,32 @@ SHI_INLINE void shi_scene_edge(const shi_scene *p, size_t i, size_t j, shi_two e
                                     p->scale * shi_scene_read(p, 3 * i + (size_t)k));
 }
 
-/* triangle 0, i, i+1: its edges from vertex 0 and their product n; returns (vertex 0 - point) . n */
-SHI_INLINE double shi_scene_fan(const shi_scene *p, const shi_two first[3], size_t i, shi_two e[3], shi_two f[3], shi_two n[3])
+/* triangle 0, i, i+1: its edges from vertex 0 and their product n; returns (vertex 0 - point) . n, 6 times the volume that it
+ * spans with the point: exactly 0 where it is within the rounding of twice double, 2^-104 of its terms */
+SHI_INLINE shi_two shi_scene_fan(const shi_scene *p, const shi_two first[3], size_t i, shi_two e[3], shi_two f[3], shi_two n[3])
 {
+    static const shi_two zero = { 0, 0 };
+    shi_two det;
+    double terms = 0;
+    int k;
     shi_scene_edge(p, 0, i, e);
     shi_scene_edge(p, 0, i + 1, f);
     shi_two_cross(e, f, n);
-    return shi_two_dot(first, n).h;
+    det = shi_two_dot(first, n);
+    for (k = 0; k < 3; k++)
+        terms += fabs(first[k].h) * (fabs(e[(k + 1) % 3].h * f[(k + 2) % 3].h) + fabs(e[(k + 2) % 3].h * f[(k + 1) % 3].h));
+    return fabs(det.h) < 1e-280 || fabs(det.h) < 1e-30 * terms ? zero : det;
 }
+
+/* The sum of a fan's volumes: exactly 0 where halves cancel but for rounding. */
+typedef struct { shi_two sum; double size; } shi_volume;
+SHI_INLINE double shi_volume_add(shi_volume *v, shi_two det)
+{
+    v->sum = shi_two_add(v->sum, det);
+    v->size += fabs(det.h);
+    return det.h;
+}
+SHI_INLINE double shi_volume_sum(const shi_volume *v) { return fabs(v->sum.h) > 1e-30 * v->size ? v->sum.h : 0; }
 
 /* Edge i -> i+1 from A to B: N = A x (B-A) and the edge's w, lambda, mu, gamma, k0, k1 of docs/polygons.md. 0 if it is seen
  * as a point; -1 if the point lies on it. */
@@ -4980,8 +5017,8 @@ SHI_NOINLINE void shi_triangle_nodes(shi_sink *sink, const shi_corner *c0, const
 /* ---- the fan of a polygon: its solid angle, and the side that the point is on ---- */
 
 /* tan of half the solid angle of triangle a, b, c is its volume times 6 over R = |a||b||c| + (a.b)|c| + (b.c)|a| + (a.c)|b| (Van
- * Oosterom and Strackee 1983). R's sign decides between 0 and 2 pi; above the foot of a needle R nearly cancels, and is taken again in twice
- * the precision */
+ * Oosterom and Strackee 1983). R's sign decides between 0 and 2 pi; above the foot of a needle R nearly cancels, and is
+ * taken again in twice the precision */
 SHI_INLINE double shi_fan_even(shi_two v[3][3], double *lengths)
 {
     shi_two r[3], dot[3], sum;
@@ -5034,7 +5071,7 @@ SHI_INLINE int shi_scene_between(const shi_scene *scene)
     for (pass = 0; pass < 2 && scene->count > 3; pass++)
         for (i = 1; i + 1 < scene->count; i++) {
             shi_two d1[3], d2[3], n[3];
-            double det = shi_scene_fan(scene, first, i, d1, d2, n), along = 0;
+            double det = shi_scene_fan(scene, first, i, d1, d2, n).h, along = 0;
             for (k = 0; k < 3; k++) {
                 if (pass == 0) area[k] += n[k].h;
                 along += n[k].h * area[k];
@@ -5059,6 +5096,7 @@ typedef struct {
 SHI_INLINE shi_fan_sums shi_engine_fan(const shi_scene *scene)
 {
     shi_fan_sums o = { 0, 0, 0, { 0, 0, 0 }, 4, 0, 1, 1 };
+    shi_volume volume = { { 0, 0 }, 0 };
     double normal[3] = { 0, 0, 0 };
     shi_two first[3];
     size_t i;
@@ -5066,10 +5104,10 @@ SHI_INLINE shi_fan_sums shi_engine_fan(const shi_scene *scene)
     shi_scene_vertex(scene, 0, first);
     for (i = 1; i + 1 < scene->count; i++) {
         shi_two d1[3], d2[3], n[3], v[3][3];
-        double det = shi_scene_fan(scene, first, i, d1, d2, n), even, lengths, solid;
+        const double det = shi_volume_add(&volume, shi_scene_fan(scene, first, i, d1, d2, n));
+        double even, lengths, solid;
         if (n[0].h == 0 && n[1].h == 0 && n[2].h == 0) continue;
         o.empty = 0;
-        if (fabs(det) < 1e-280) det = 0;
         if (det != 0) o.flat = 0;
         shi_scene_vertex(scene, 0, v[0]);
         shi_scene_vertex(scene, i, v[1]);
@@ -5079,11 +5117,26 @@ SHI_INLINE shi_fan_sums shi_engine_fan(const shi_scene *scene)
         solid = 2 * atan2(det, even);
         o.spread += fabs(solid);
         o.signed_sum += solid;
-        o.volume += det;
         for (k = 0; k < 3; k++) o.area[k] += n[k].h;
         o.side |= shi_fan_side(det, n, normal);
     }
+    o.volume = shi_volume_sum(&volume);
     return o;
+}
+
+/* < 0 if the point is in front */
+SHI_INLINE double shi_engine_side(const shi_scene *scene, const shi_fan_sums *fan)
+{
+    return fan->side == 3 && shi_scene_between(scene) ? fan->signed_sum : fan->volume;
+}
+/* the sign of the light of SH_BOTH along its edges: 1 behind the polygon, -1 in front */
+SHI_NOINLINE double shi_polygon_sign(const double point[3], size_t count, const void *vertices, int floats)
+{
+    shi_scene scene;
+    shi_fan_sums fan;
+    shi_scene_open(&scene, point, count, vertices, floats);
+    fan = shi_engine_fan(&scene);
+    return shi_engine_side(&scene, &fan) < 0 ? -1 : 1;
 }
 
 /* From a point in the plane: the front side sees a part of the hemisphere, the angle swept around the point over 2 pi.
@@ -5174,7 +5227,7 @@ SHI_NOINLINE void shi_engine_surface(const shi_scene *scene, int bands, int with
     for (i = 1; i + 1 < scene->count; i++) {
         shi_two d1[3], d2[3], n[3], v[3][3];
         shi_corner c[3];
-        const double det = shi_scene_fan(scene, first, i, d1, d2, n);
+        const double det = shi_scene_fan(scene, first, i, d1, d2, n).h;
         double unit = det;
         if (fabs(det) < 1e-280) continue;
         shi_scene_vertex(scene, 0, v[0]);
@@ -5231,7 +5284,7 @@ SHI_NOINLINE int shi_polygon_engine(int bands, int sides, int tight, const doubl
         if (fan_size) *fan_size = fabs(part) * SHI_TAU;
         if (on_edge || !grad || (part == 0 && sides != SH_SIGNED)) return status;
     } else {
-        const double side = fan.side == 3 && shi_scene_between(&scene) ? fan.signed_sum : fan.volume;
+        const double side = shi_engine_side(&scene, &fan);
         if (fan_size) *fan_size = fan.spread;
         if (sides == SH_FRONT && !(side < 0)) return SH_OK; /* < 0: the point is in front */
         if (sides == SH_BOTH && !(side < 0)) sign = 1;
@@ -5389,17 +5442,16 @@ SHI_INLINE void shi_within_bounds(const shi_scene *scene, int bands, const shi_t
                                   int *side)
 {
     double normal[3] = { 0, 0, 0 };
+    shi_volume volumes = { { 0, 0 }, 0 };
     size_t i;
     int k, l;
     for (k = 0; k < 5; k++) total[k] = 0;
-    *volume = 0;
     *side = 0;
     for (i = 1; i + 1 < scene->count; i++) {
         shi_two d1[3], d2[3], n[3];
         double c[3], e[3][3], n2[3], det, area, d, q = 0, reach = 0, nearest, unit, sums[5] = { 0, 0, 0, 0, 0 },
                                                    six[SH_MAX_POLYGON_BANDS], six4[SH_MAX_POLYGON_BANDS];
-        det = shi_scene_fan(scene, first, i, d1, d2, n);
-        *volume += det;
+        det = shi_volume_add(&volumes, shi_scene_fan(scene, first, i, d1, d2, n));
         *side |= shi_fan_side(det, n, normal);
         for (k = 0; k < 3; k++) {
             c[k] = (d1[k].h + d2[k].h) / 3;
@@ -5443,6 +5495,7 @@ SHI_INLINE void shi_within_bounds(const shi_scene *scene, int bands, const shi_t
         }
         for (k = 0; k < 5; k++) total[k] += sqrt(sums[k]);
     }
+    *volume = shi_volume_sum(&volumes);
 }
 
 SHI_NOINLINE int shi_within_engine(int bands, int sides, int tight, double tolerance, const double point[3], size_t count,
@@ -5476,7 +5529,7 @@ SHI_NOINLINE int shi_within_engine(int bands, int sides, int tight, double toler
         double n2[3], det, p[3];
         int piece, pieces = way == SHI_POINT4 || way == SHI_SEVEN4 ? 4 : 1, j,
                    from = way == SHI_SEVEN || way == SHI_SEVEN4 ? 4 : 0, to = from ? 11 : 1;
-        det = shi_scene_fan(&scene, first, i, d1, d2, n);
+        det = shi_scene_fan(&scene, first, i, d1, d2, n).h;
         for (k = 0; k < 3; k++) n2[k] = n[k].h;
         if (det == 0) continue;
         if (way == SHI_SPHERE) {
@@ -5525,8 +5578,8 @@ SHI_INLINE int SHI_FN(shi_check_polygon)(int bands, int sides, const SHI_T *poin
 }
 
 /* value[n] is required; it and grad[3][n], or NULL, are apart from each other and from what is read */
-SHI_INLINE int SHI_FN(shi_check_polygon_outputs)(size_t n, const SHI_T *point, size_t count, const SHI_T *vertices, const SHI_T *value,
-                                           const SHI_T *grad)
+SHI_INLINE int SHI_FN(shi_check_polygon_outputs)(size_t n, const SHI_T *point, size_t count, const SHI_T *vertices,
+                                                 const SHI_T *value, const SHI_T *grad)
 {
     const size_t size = n * sizeof *value, read = 3 * count * sizeof *vertices;
     if (!value) return SH_ERROR_NULL;
@@ -5994,9 +6047,7 @@ SHI_NOINLINE int shi_polygon_zonal_engine(int bands, int tight, const double axi
         for (e = 0; e < count; e++)
             if (shi_zonal_edge(&scene, e, edge))
                 SHI_ONE(shi_polygon_zonal_edge)(bands, axis, edge, steps, sums, grad ? slopes : NULL);
-        /* the engine's own sign of the side */
-        shi_polygon_engine(1, SH_SIGNED, tight, point, count, vertices, floats, g, NULL, NULL);
-        sign = g[0] == c[0] ? -1 : 1;
+        sign = shi_polygon_sign(point, count, vertices, floats);
         s[0] = c[0] * SHI_ROOT_FOUR_PI;
         for (l = 1; l < bands; l++) s[l] = sign * sums[l];
         for (l = 0; grad && l < 3 * bands; l++) grad[l] = sign * slopes[l];
@@ -6081,11 +6132,11 @@ SHI_INLINE int SHI_FN(shi_zonal_point)(const SHI_FN(shi_polygon_lights) *o, int 
     for (k = 0; k < 3; k++) point[k] = (double)x[k];
     for (g = 0; g < o->count; v += 3 * counts[g++]) {
         const SHI_T r = radiance ? radiance[g] : SHI_C(1);
-        double omega, signed_omega, c[1], either[1];
+        double spread, sign, c[1];
         SHI_T f;
         shi_scene scene;
-        int one = shi_polygon_engine(1, SH_SIGNED, 0, point, (size_t)counts[g], v, SHI_BITS == 32, c, NULL, &omega);
-        if (one > 0 || omega == 0) {                        /* in the plane: rare */
+        int one = shi_polygon_engine(1, SH_SIGNED, 0, point, (size_t)counts[g], v, SHI_BITS == 32, c, NULL, &spread);
+        if (one > 0 || spread == 0) {                       /* in the plane: rare */
             double value[SH_MAX_POLYGON_BANDS * SH_MAX_POLYGON_BANDS], grad[3 * SH_MAX_POLYGON_BANDS * SH_MAX_POLYGON_BANDS];
             if (!any) memset(extra, 0, (size_t)(4 * size) * sizeof extra[0]);
             any = 1;
@@ -6096,12 +6147,9 @@ SHI_INLINE int SHI_FN(shi_zonal_point)(const SHI_FN(shi_polygon_lights) *o, int 
             for (l = 0; planes == SH_GRADIENT && l < 3 * size; l++) extra[size + l] += (double)r * grad[l];
             continue;
         }
-        signed_omega = c[0] * SHI_ROOT_FOUR_PI; /* positive in front, where the edges count negative ... */
-        either[0] = signed_omega < 0 ? -c[0] : c[0];
-        if (counts[g] > 3 && sides != SH_SIGNED)            /* ... unless it crosses itself: the engine knows */
-            shi_polygon_engine(1, SH_BOTH, 0, point, (size_t)counts[g], v, SHI_BITS == 32, either, NULL, NULL);
-        if (sides == SH_FRONT && either[0] != c[0]) continue;
-        f = sides == SH_SIGNED || either[0] == c[0] ? -r : r;
+        sign = counts[g] > 3 ? shi_polygon_sign(point, (size_t)counts[g], v, SHI_BITS == 32) : c[0] > 0 ? -1 : 1;
+        if (sides == SH_FRONT && sign > 0) continue;        /* behind: edges count positive */
+        f = sides == SH_SIGNED ? -r : (SHI_T)sign * r;
         shi_scene_open(&scene, point, (size_t)counts[g], v, SHI_BITS == 32);
         for (i = 0; i < (size_t)counts[g]; i++) {
             double exact[14];
@@ -6122,7 +6170,7 @@ SHI_INLINE int SHI_FN(shi_zonal_point)(const SHI_FN(shi_polygon_lights) *o, int 
                 for (l = 0; planes == SH_GRADIENT && l < 3 * n; l++) to[n + l] += f * one_g[l];
             }
         }
-        for (d = 0; d < vectors; d++) sums[d * 4 * n] += f * (SHI_T)-signed_omega;
+        for (d = 0; d < vectors; d++) sums[d * 4 * n] += f * (SHI_T)(-c[0] * SHI_ROOT_FOUR_PI);
     }
     for (k = 0; k < planes; k++) {
         SHI_MANY(shi_polygon_lobe_sum)(n, vectors, weights, sums + k * n, out + k * size);

@@ -110,7 +110,8 @@ int main(void)
                                     BOTH_TESTS(statuses),    BOTH_TESTS(zonal),        BOTH_TESTS(route),
                                     BOTH_TESTS(sphere),      BOTH_TESTS(sphere_cases), BOTH_TESTS(within),
                                     BOTH_TESTS(texture),     BOTH_TESTS(many_sided),   BOTH_TESTS(bent),
-                                    BOTH_TESTS(bow_tie),
+                                    BOTH_TESTS(bow_tie),     BOTH_TESTS(cancelling),   BOTH_TESTS(exactly),
+                                    BOTH_TESTS(folded),      BOTH_TESTS(scales),
                                     BOTH_TESTS(within_far) };
     return RUN_TESTS(t);
 }
@@ -738,6 +739,125 @@ static void F(bow_tie)(void **state)
             }
         }
     }
+    row_close(w);
+}
+
+/* A whole number from -2^bits to 2^bits. */
+static long long F(whole)(int bits) { return llround(ref_between(-1, 1) * ldexp(1, bits)); }
+
+/* Bow ties of whole numbers whose halves cancel exactly, in any plane: every point is behind. */
+static void F(cancelling)(void **state)
+{
+    const int six = 6;
+    int turn, side, i, k;
+    (void)state;
+    for (turn = 0; turn < effort(2000); turn++) {
+        long long u[2][3], at[6][2] = { { -1, -1 }, { 1, 1 }, { 1, -1 }, { -1, 1 }, { -1, -1 }, { -1, -1 } }, area = turn % 8;
+        const int from = (int)ref_between(0, 5.99);
+        T v[18], p[3], one[25], many[25], zonal[25];
+        for (i = 0; i < 2; i++)
+            for (k = 0; k < 3; k++) u[i][k] = turn % 2 ? i == k : F(whole)(8);
+        while (area) {
+            for (i = 0; i < 12; i++) at[i / 2][i % 2] = F(whole)(2);
+            for (area = 0, i = 0; i < 6; i++) area += at[i][0] * at[(i + 1) % 6][1] - at[i][1] * at[(i + 1) % 6][0];
+        }
+        for (i = 0; i < 6; i++)
+            for (k = 0; k < 3; k++) v[3 * i + k] = (T)(at[(i + from) % 6][0] * u[0][k] + at[(i + from) % 6][1] * u[1][k]);
+        for (k = 0; k < 3; k++) p[k] = (T)ref_between(-8, 8);
+        if (turn % 8 == 0) p[0] = p[1] = 0;
+        for (side = SH_FRONT; side >= SH_BOTH; side--) {
+            assert_int_equal(F(sh_polygon)(5, side, p, 6, v, one, NULL), SH_OK);
+            assert_int_equal(F(sh_polygons)(5, SH_VALUES, 1, side, p, 1, &six, v, NULL, many), SH_OK);
+            assert_int_equal(F(sh_polygons_zonal_n)(5, SH_VALUES, 1, side, 1, p, 1, &six, v, NULL, zonal), SH_OK);
+            for (i = 0; i < 25; i++) {
+                const T near = 4000 * EPS * (side == SH_BOTH);
+                assert_true(fabsl((long double)many[i] - (long double)one[i]) <= (long double)near);
+                assert_true(fabsl((long double)zonal[i] - (long double)one[i]) <= (long double)near);
+                assert_true(side != SH_FRONT || one[i] == 0);
+            }
+        }
+    }
+}
+
+/* Points exactly in a tilted triangle, on its edge, and in its plane outside, of whole numbers. */
+static void F(exactly)(void **state)
+{
+    row *w = row_open("points in tilted planes", PRECISION);
+    const int three = 3;
+    int turn, i, k;
+    (void)state;
+    for (turn = 0; turn < effort(6000); turn++) {
+        const int bits = IS_F32 ? 6 + turn / 3 % 16 : 6 + turn / 3 % 44, kind = turn % 3;
+        const int want = kind == 2 ? SH_OK : SH_ON_LIGHT;
+        long double area = 0;
+        T v[9], p[3], one[9], slope[27], many[36];
+        for (i = 0; i < 9; i++) v[i] = (T)(4 * F(whole)(bits - 2));
+        for (k = 0; k < 3; k++)
+            p[k] = kind == 0 ? v[k] / 2 + v[3 + k] / 4 + v[6 + k] / 4 : kind == 1 ? (v[k] + v[3 + k]) / 2 : v[k] + v[3 + k] - v[6 + k];
+        row_case("kind %d, %d bits", kind, bits);
+        for (k = 0; k < 3; k++) {
+            const int a = (k + 1) % 3, b = (k + 2) % 3;
+            area += fabsl(((long double)v[3 + a] - v[a]) * ((long double)v[6 + b] - v[b])
+                          - ((long double)v[3 + b] - v[b]) * ((long double)v[6 + a] - v[a]));
+        }
+        if (area == 0) continue;
+        assert_int_equal(F(sh_polygon)(3, SH_BOTH, p, 3, v, one, slope), want);
+        assert_int_equal(F(sh_polygons)(3, SH_GRADIENT, 1, SH_BOTH, p, 1, &three, v, NULL, many), want);
+        for (i = 0; i < 9; i++) row_check(w, (long double)many[i], (long double)one[i], 64 * (long double)EPS * 4, i);
+        for (i = 0; i < 27; i++)
+            if (kind == 2) row_check(w, (long double)many[9 + i], 0, 0, i);
+    }
+    row_close(w);
+}
+
+/* Quadrilaterals folded along their diagonal, up to closing: the fan of vertex 0 fills them. */
+static void F(folded)(void **state)
+{
+    row *w = row_open("folded quadrilaterals", PRECISION);
+    const int four = 4;
+    int turn, i, k, side;
+    (void)state;
+    for (turn = 0; turn < effort(2000); turn++) {
+        const double d = ref_log_between(0.1, 20), up = ref_between(-1, 1) * d;
+        const double q[5][3] = { { 0, -5, 0 }, { ref_between(0.5, 3), ref_between(-1, 1), d }, { 0, 5, 0 },
+                                 { ref_between(-3, -0.5), ref_between(-1, 1), d }, { ref_between(-1, 1), ref_between(-2, 2), up } };
+        T v[12], p[3], one[16], many[16];
+        for (i = 0; i < 4; i++)
+            for (k = 0; k < 3; k++) v[3 * i + k] = (T)q[i][k];
+        for (k = 0; k < 3; k++) p[k] = (T)q[4][k];
+        for (side = SH_BOTH; side <= SH_SIGNED; side++) {
+            assert_int_equal(F(sh_polygon)(4, side, p, 4, v, one, NULL), SH_OK);
+            assert_int_equal(F(sh_polygons)(4, SH_VALUES, 1, side, p, 1, &four, v, NULL, many), SH_OK);
+            row_case("depth %g, height %g, side %d", d, up, side);
+            for (i = 0; i < 16; i++)
+                row_check(w, (long double)many[i], (long double)one[i], (1000 + 32 * 20) * (long double)EPS * ref_M(ref_band(i)), i);
+        }
+    }
+    row_close(w);
+}
+
+/* Scenes at every power of two: the same coefficients. */
+static void F(scales)(void **state)
+{
+    row *w = row_open("scenes of any size", PRECISION);
+    const int three = 3;
+    T unit[12], want[25];
+    int scene, power, i;
+    (void)state;
+    for (scene = 0; scene < effort(30); scene++)
+        for (power = 0; power <= (IS_F32 ? 100 : 900); power++) {
+            const int e = power % 2 ? -(power + 1) / 2 : power / 2;
+            T v[12], many[100];
+            for (i = 0; i < 12; i++) {
+                if (power == 0) unit[i] = (T)ref_between(-1, 1);
+                v[i] = (T)ldexp((double)unit[i], e);
+            }
+            assert_int_equal(F(sh_polygons)(5, SH_GRADIENT, 1, SH_BOTH, v + 9, 1, &three, v, NULL, many), SH_OK);
+            if (power == 0) memcpy(want, many, sizeof want);
+            row_case("scene %d times 2^%d", scene, e);
+            for (i = 0; i < 25; i++)
+                row_check(w, (long double)many[i], (long double)want[i], 2000 * (long double)EPS * ref_M(ref_band(i)), i);
+        }
     row_close(w);
 }
 
