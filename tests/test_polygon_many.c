@@ -111,7 +111,7 @@ int main(void)
                                     BOTH_TESTS(sphere),      BOTH_TESTS(sphere_cases), BOTH_TESTS(within),
                                     BOTH_TESTS(texture),     BOTH_TESTS(many_sided),   BOTH_TESTS(bent),
                                     BOTH_TESTS(bow_tie),     BOTH_TESTS(cancelling),   BOTH_TESTS(exactly),
-                                    BOTH_TESTS(folded),      BOTH_TESTS(scales),
+                                    BOTH_TESTS(folded),      BOTH_TESTS(scales),       BOTH_TESTS(crowd),
                                     BOTH_TESTS(within_far) };
     return RUN_TESTS(t);
 }
@@ -836,6 +836,34 @@ static void F(folded)(void **state)
     row_close(w);
 }
 
+/* Many small polygons in one place, whose roundings agree. */
+static void F(crowd)(void **state)
+{
+    enum { MOST = 20000 };
+    static T v[9 * MOST];
+    static int counts[MOST];
+    row *w = row_open("many polygons in one place", PRECISION);
+    int turn, i, k;
+    (void)state;
+    for (turn = 0; turn < effort(40); turn++) {
+        const int many = (int)ref_log_between(100, turn % 10 ? 4000 : MOST);
+        const T p[3] = { 0, 0, 0 };
+        double pd[3] = { 0, 0, 0 }, vd[9], want[9], size;
+        T got[9];
+        for (i = 0; i < 9; i++) v[i] = (T)(ref_between(-0.1, 0.1) + (i % 3 == 2 ? 2 : 0));
+        for (i = 9; i < 9 * many; i++) v[i] = v[i - 9];
+        for (i = 0; i < many; i++) counts[i] = 3;
+        for (i = 0; i < 9; i++) vd[i] = (double)v[i];
+        (void)shi_polygon_engine(3, SH_BOTH, 1, pd, 3, vd, 0, want, NULL, &size);
+        assert_int_equal(F(sh_polygons)(3, SH_VALUES, 1, SH_BOTH, p, (size_t)many, counts, v, NULL, got), SH_OK);
+        row_case("%d triangles of solid angle %g", many, size);
+        for (k = 0; k < 9; k++)
+            row_check(w, (long double)got[k], many * (long double)want[k],
+                      (64 + (many < 128 ? many : 128) / 2.0L + many / 256.0L) * many * (long double)size * (long double)EPS * ref_M(ref_band(k)), k);
+    }
+    row_close(w);
+}
+
 /* Scenes at every power of two: the same coefficients. */
 static void F(scales)(void **state)
 {
@@ -962,6 +990,20 @@ static void F(texture)(void **state)
         for (k = 0; k < 12; k++)
             row_check(w, (long double)vertices[k], (long double)square[k], 4 * (long double)EPS, k);
     }
+    for (i = 0; i < 3; i++) {                               /* NaN and infinity stay where they are */
+        static const T bad[3] = { (T)NAN, (T)INFINITY, -(T)INFINITY };
+        int lost = 0;
+        for (k = 0; k < H * W * 2; k++) texels[k] = 1;
+        texels[2 * 17] = bad[i];
+        assert_int_equal(F(sh_textured_quad)(quad, W, H, 2, texels, 1, W * H, &n, counts, vertices, radiance), SH_OK);
+        assert_true(n > 1);
+        for (k = 0; k < (int)n; k++)
+            if (radiance[k] == 1) assert_true(radiance[n + (size_t)k] == 1);
+            else lost++;
+        assert_int_equal(lost, 1);
+    }
+    for (i = 0; i < H * W * 2; i++) texels[i] = 0;
+    texels[2 * 17] = 3;
     n = 0;
     assert_int_equal(F(sh_textured_quad)(quad, W, H, 2, texels, 0, 0, &n, counts, vertices, radiance),
                      SH_ERROR_COUNT);
