@@ -6134,9 +6134,10 @@ SHI_INLINE int SHI_FN(shi_zonal_point)(const SHI_FN(shi_polygon_lights) *o, int 
     const SHI_T *const radiance = o->radiance ? o->radiance + (size_t)channel * o->count : NULL, *v = o->vertices;
     double extra[4 * SH_MAX_POLYGON_BANDS * SH_MAX_POLYGON_BANDS], point[3];
     SHI_T steps[5 * SH_MAX_POLYGON_BANDS];
+    const int all = 4 * n * vectors;                        /* sums[2][all]: of some polygons, and of those before */
     size_t g, i;
     int k, l, d, status = SH_OK, any = 0;
-    for (l = 0; l < 4 * n * vectors; l++) sums[l] = SHI_MANY(shi_splat)(0);
+    for (l = 0; l < 2 * all; l++) sums[l] = SHI_MANY(shi_splat)(0);
     for (l = 5; l < 5 * n; l++) steps[l] = (SHI_T)exact_steps[l];
     for (k = 0; k < 3; k++) point[k] = (double)x[k];
     for (g = 0; g < o->count; v += 3 * counts[g++]) {
@@ -6144,7 +6145,12 @@ SHI_INLINE int SHI_FN(shi_zonal_point)(const SHI_FN(shi_polygon_lights) *o, int 
         double spread, sign, c[1];
         SHI_T f;
         shi_scene scene;
-        int one = shi_polygon_engine(1, SH_SIGNED, 0, point, (size_t)counts[g], v, SHI_BITS == 32, c, NULL, &spread);
+        int one;
+        for (l = 0; g % SHI_POLYGONS_AT_ONCE == 0 && l < all; l++) {
+            sums[all + l] += sums[l];
+            sums[l] = SHI_MANY(shi_splat)(0);
+        }
+        one = shi_polygon_engine(1, SH_SIGNED, 0, point, (size_t)counts[g], v, SHI_BITS == 32, c, NULL, &spread);
         if (one > 0 || spread == 0) {                       /* in the plane: rare */
             double value[SH_MAX_POLYGON_BANDS * SH_MAX_POLYGON_BANDS], grad[3 * SH_MAX_POLYGON_BANDS * SH_MAX_POLYGON_BANDS];
             if (!any) memset(extra, 0, (size_t)(4 * size) * sizeof extra[0]);
@@ -6181,6 +6187,7 @@ SHI_INLINE int SHI_FN(shi_zonal_point)(const SHI_FN(shi_polygon_lights) *o, int 
         }
         for (d = 0; d < vectors; d++) sums[d * 4 * n] += f * (SHI_T)(-c[0] * SHI_ROOT_FOUR_PI);
     }
+    for (l = 0; l < all; l++) sums[l] += sums[all + l];
     for (k = 0; k < planes; k++) {
         SHI_MANY(shi_polygon_lobe_sum)(n, vectors, weights, sums + k * n, out + k * size);
         for (l = 0; any && l < size; l++)
@@ -6202,7 +6209,7 @@ SH_API int SHI_FN(sh_polygons_zonal_n)(int bands, int planes, int channels, int 
 {
     enum { W = SHI_MANY(shi_polygon_lanes), MOST = (31 + W - 1) / W };
     const double *set_dirs, *set_weights;
-    SHI_MANY(shi_vector) dirs[3 * MOST], sums[4 * SH_MAX_POLYGON_BANDS * MOST];
+    SHI_MANY(shi_vector) dirs[3 * MOST], sums[2 * 4 * SH_MAX_POLYGON_BANDS * MOST];
     SHI_T weights[SH_MAX_POLYGON_BANDS * SH_MAX_POLYGON_BANDS * MOST * W];
     double steps[5 * SH_MAX_POLYGON_BANDS];
     const SHI_FN(shi_polygon_lights) o = { bands, planes, channels, sides, { points, 0, point, NULL }, polygons, counts,
