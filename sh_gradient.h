@@ -41,7 +41,7 @@
  *
  * DOES NOT
  *     denormal or overflowing geometry: lengths from 1e-18 to 1e18 in float (1e-150 .. 1e150 in double); the bounds hold
- *     for results that are not denormal
+ *     for results that are not denormal, of sums of spheres beyond 10 bands for magnitudes above 1e-31 (1e-300)
  *     bit-identity between instruction sets or compilers; within one build, -ffast-math aside, a batch has the bits of
  *     its single items (sums of polygons: to rounding)
  *
@@ -1586,13 +1586,13 @@ SHI_NOINLINE int SHI_KN(shi_sum_form_any)(int n, const SHI_T *coeffs, SHI_T *a)
             SHI_V *const q0 = q[l & 1], *const q1 = q[!(l & 1)], c, s;
             const SHI_V norm = SHI_LOAD(SHI_FN(shi_norm) + SHI_TABLE_AT(l, first));
             const SHI_V minus_beta = -SHI_LOAD(SHI_FN(shi_beta) + SHI_TABLE_AT(l, first));
-            const SHI_V even = SHI_LOAD(alternating + ((l + first) & 1)), odd = SHI_SPLAT(1) - even;
+            const SHI_V even = SHI_LOAD(alternating + ((l + first) & 1)), mixed = SHI_SPLAT(1) - SHI_C(0.5) * even;
             SHI_V before = SHI_LOAD(one_hot + (l - first < SHI_W ? 15 - (l - first) : 16));      /* q_m^m = 1 */
             SHI_KN(shi_band_pairs)(n, coeffs, l, first, &c, &s);
             c *= norm;
             s *= norm;
             for (k = 0; k <= (l - first) / 2; k++) {
-                const SHI_V times = SHI_FMA(even, SHI_LOAD(SHI_FN(shi_node) + SHI_NODES(k, first)), odd);
+                const SHI_V times = SHI_FNMA(even, SHI_LOAD(SHI_FN(shi_node) + SHI_NODES(k, first)), mixed);   /* t_k or 1 */
                 SHI_T *const p = a + SHI_FORM_AT(l & 1, k, 0, first), *const r = a + SHI_FORM_AT(l & 1, k, 1, first);
                 q0[k] = SHI_FMA(even, before, SHI_FMA(times, q1[k], minus_beta * q0[k]));
                 before = q1[k];
@@ -1691,7 +1691,7 @@ SHI_KERNEL void SHI_KN(shi_sum_newton)(int n, int with_grad, const SHI_T *a, con
             d[i] = d[2 + i] = SHI_SPLAT(0);
         }
         for (k = last - 1; k >= 0; k--) {
-            const SHI_V t = SHI_FMA(z, z, SHI_SPLAT(-SHI_FN(shi_node)[SHI_NODES(k, m)]));
+            const SHI_V t = u[3] + SHI_FN(shi_node)[SHI_NODES(k, m)];      /* z^2 - t_k: at the poles u[3] is better than z */
             e -= 2 * SH_MAX_BANDS, o -= 2 * SH_MAX_BANDS;
             SHI_UNROLL
             for (i = 0; i < 4; i++) {
@@ -1817,7 +1817,7 @@ SHI_KERNEL SHI_V SHI_KN(shi_light_geometry)(const SHI_T point[3], const SHI_V ce
     const SHI_V r2 = SHI_FMA(dx, dx, SHI_FMA(dy, dy, dz * dz)), rough = SHI_FMA(-radius, radius, r2);
     const SHI_M signs = SHI_KN(shi_sign)(SHI_FMA(SHI_SPLAT(SHI_C(-0.5)), r2, rough)) | SHI_KN(shi_sign)(radius);
     const int plain = !SHI_ANY(signs | SHI_KN(shi_out_of)(rough, SHI_MIN2, SHI_MAX2));
-    SHI_V gap = rough, length = r2, hole = gap, s, inverse, inverse_gap, x, y, z, xy, e, alpha;
+    SHI_V gap = rough, length = r2, hole = gap, s, inverse, inverse_gap, x, y, z, xy, e, half, alpha;
     SHI_M inside = SHI_BITS_OF(zero), none = inside;
     if (SHI_RARELY(!plain)) {
         const SHI_M close = (SHI_M)(rough < SHI_C(0.5) * r2), vast = (SHI_M)(radius > SHI_VAST) & (SHI_M)(r2 < SHI_MAX2);
@@ -1829,6 +1829,7 @@ SHI_KERNEL SHI_V SHI_KN(shi_light_geometry)(const SHI_T point[3], const SHI_V ce
         length = SHI_SELECT((SHI_M)(r2 < SHI_MIN2), one, r2);
         flags[0] |= inside;
         flags[1] |= SHI_KN(shi_out_of)(SHI_ABS(gap) + SHI_ABS(radius), 0, SHI_C(SHI_BITS == 32 ? 3e38 : 1e308));
+        flags[1] |= (SHI_M)(r2 < SHI_MIN2) & (SHI_M)(radius > zero) & ~inside;
         flags[2] |= (SHI_M)(radius < zero);
     }
     inverse = SHI_RSQRT(length);
@@ -1850,7 +1851,8 @@ SHI_KERNEL SHI_V SHI_KN(shi_light_geometry)(const SHI_T point[3], const SHI_V ce
     if (kinds == SHI_ALL_KINDS) o->alpha = alpha;
     if (!plain) o->kappa = SHI_SELECT(inside, one + one, o->kappa);
     e = SHI_FMA(z, z, SHI_SPLAT(-1)) + xy;              /* as shi_polish */
-    return SHI_KN(shi_light_polar)(x, y, SHI_FMA(z, SHI_C(-0.5) * e, z), SHI_FMA(-e, xy, xy), o);
+    half = SHI_C(-0.5) * e;
+    return SHI_KN(shi_light_polar)(SHI_FMA(x, half, x), SHI_FMA(y, half, y), SHI_FMA(z, half, z), SHI_FMA(-e, xy, xy), o);
 }
 
 /* c, s [levels]: U_m, V_m times radiance, nb vectors from one m to the next */
@@ -3439,7 +3441,7 @@ SH_API int SHI_FN(sh_eval_angles_n)(int bands, size_t count, const SHI_T *theta,
 
 /* value = sum c_i Y_i(d/|d|) at many directions, and its gradient by d; the basis is never stored.
  *   bands   1..32
- *   coeffs  [N]
+ *   coeffs  [N], beyond 10 bands of up to 1e29 (double 1e299)
  *   dirs    [count][3], lengths as in sh_eval_grad
  *   values  [count] or NULL
  *   grads   [count][3] or NULL
@@ -3651,8 +3653,8 @@ SH_API int SHI_FN(sh_sphere)(int bands, const SHI_T point[3], const SHI_T center
  *   radiance  [channels][count] of either sign, or NULL: 1
  *   out       [points][channels][planes][N]; for one channel and SH_GRADIENT: values, d/dx, d/dy, d/dz
  * Status SH_INSIDE when a point is on or inside a light, which then adds 2 sqrt(pi) to L_00 and nothing to derivatives.
- * A light that is not valid is an error before anything is written; a point that is not finite, or further from a light than
- * sh_sphere allows (SH_ERROR_DIRECTION), is an error of its own outputs.
+ * A light that is not valid is an error before anything is written; a point that is not finite, or further from a light or nearer
+ * to it than sh_sphere allows (SH_ERROR_DIRECTION), is an error of its own outputs.
  * Stack:  130 KiB in float with AVX-512, 145 in double; with Hessians of 32 bands 175 and 230 (docs/architecture.md).
  * Error:  the sum over the lights of sh_sphere_hessian's bounds, plus (min(count, 128)/2 + count/256) eps of the sum of
  *         magnitudes.
@@ -4813,56 +4815,58 @@ static const SHI_T SHI_FN(shi_horner)[516] = {
     SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0),
     SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0)
 };
-/* [k(31-k) + m]: node k < (31-m)/2 of column m's form of Newton; and room to read a register */
+/* [k(31-k) + m]: 1/2 - node k < (31-m)/2 of column m's form of Newton; and room to read a register */
 static const SHI_T SHI_FN(shi_node)[256] = {
+    SHI_C(0.5), SHI_C(0.5), SHI_C(0.5), SHI_C(0.5), SHI_C(0.5), SHI_C(0.5), SHI_C(0.5), SHI_C(0.5),
+    SHI_C(0.5), SHI_C(0.5), SHI_C(0.5), SHI_C(0.5), SHI_C(0.5), SHI_C(0.5), SHI_C(0.5), SHI_C(0.5),
+    SHI_C(0.5), SHI_C(0.5), SHI_C(0.5), SHI_C(0.5), SHI_C(0.5), SHI_C(0.5), SHI_C(0.5), SHI_C(0.5),
+    SHI_C(0.5), SHI_C(0.5), SHI_C(0.5), SHI_C(0.5), SHI_C(0.5), SHI_C(0.5), SHI_C(-0.5),
+    SHI_C(-0.2998046875), SHI_C(-0.1669921875), SHI_C(-0.0712890625), SHI_C(0.0), SHI_C(0.0556640625),
+    SHI_C(0.099609375), SHI_C(0.13671875), SHI_C(0.1669921875), SHI_C(0.1923828125), SHI_C(0.2138671875),
+    SHI_C(0.2333984375), SHI_C(0.25), SHI_C(0.2646484375), SHI_C(0.27734375), SHI_C(0.2890625),
+    SHI_C(0.2998046875), SHI_C(0.3095703125), SHI_C(0.318359375), SHI_C(0.326171875), SHI_C(0.3330078125),
+    SHI_C(0.33984375), SHI_C(0.345703125), SHI_C(0.3515625), SHI_C(0.357421875), SHI_C(0.3623046875),
+    SHI_C(0.3662109375), SHI_C(0.37109375), SHI_C(0.0), SHI_C(0.1318359375), SHI_C(0.205078125),
+    SHI_C(0.25390625), SHI_C(0.2890625), SHI_C(-0.2373046875), SHI_C(-0.1923828125), SHI_C(-0.1513671875),
+    SHI_C(-0.1142578125), SHI_C(-0.0810546875), SHI_C(-0.0517578125), SHI_C(-0.0244140625), SHI_C(0.0),
+    SHI_C(0.0224609375), SHI_C(0.04296875), SHI_C(0.0615234375), SHI_C(0.0791015625), SHI_C(0.095703125),
+    SHI_C(0.1103515625), SHI_C(0.1240234375), SHI_C(0.13671875), SHI_C(0.1494140625), SHI_C(0.16015625),
+    SHI_C(0.1708984375), SHI_C(0.1806640625), SHI_C(0.1904296875), SHI_C(0.2890625), SHI_C(-0.470703125),
+    SHI_C(-0.423828125), SHI_C(-0.375), SHI_C(-0.3291015625), SHI_C(0.3486328125), SHI_C(0.36328125),
+    SHI_C(0.3759765625), SHI_C(0.38671875), SHI_C(0.3955078125), SHI_C(0.40234375), SHI_C(0.4091796875),
+    SHI_C(0.4150390625), SHI_C(0.419921875), SHI_C(0.423828125), SHI_C(0.4287109375), SHI_C(0.431640625),
+    SHI_C(0.435546875), SHI_C(0.4384765625), SHI_C(0.4404296875), SHI_C(0.443359375), SHI_C(0.4453125),
+    SHI_C(0.447265625), SHI_C(0.44921875), SHI_C(-0.3291015625), SHI_C(0.36328125), SHI_C(0.3896484375),
+    SHI_C(0.4072265625), SHI_C(0.419921875), SHI_C(-0.3896484375), SHI_C(-0.359375), SHI_C(-0.3310546875),
+    SHI_C(-0.302734375), SHI_C(-0.2763671875), SHI_C(-0.2509765625), SHI_C(-0.2265625),
+    SHI_C(-0.2041015625), SHI_C(-0.1826171875), SHI_C(-0.162109375), SHI_C(-0.142578125), SHI_C(-0.125),
+    SHI_C(-0.107421875), SHI_C(-0.0908203125), SHI_C(-0.0751953125), SHI_C(-0.060546875),
+    SHI_C(-0.0458984375), SHI_C(0.419921875), SHI_C(-0.0966796875), SHI_C(-0.3115234375),
+    SHI_C(-0.2451171875), SHI_C(-0.4345703125), SHI_C(0.4423828125), SHI_C(0.248046875),
+    SHI_C(0.2705078125), SHI_C(0.2890625), SHI_C(0.3046875), SHI_C(0.09375), SHI_C(0.1162109375),
+    SHI_C(0.1357421875), SHI_C(0.1533203125), SHI_C(0.1689453125), SHI_C(0.18359375), SHI_C(0.197265625),
+    SHI_C(0.2099609375), SHI_C(0.220703125), SHI_C(0.2314453125), SHI_C(-0.4345703125), SHI_C(0.4482421875),
+    SHI_C(0.0361328125), SHI_C(-0.4658203125), SHI_C(-0.15234375), SHI_C(-0.0859375), SHI_C(0.4560546875),
+    SHI_C(-0.0185546875), SHI_C(0.013671875), SHI_C(-0.3798828125), SHI_C(0.46484375), SHI_C(0.4677734375),
+    SHI_C(0.4697265625), SHI_C(-0.3115234375), SHI_C(-0.294921875), SHI_C(-0.2783203125),
+    SHI_C(-0.2626953125), SHI_C(-0.2470703125), SHI_C(-0.15234375), SHI_C(-0.40625), SHI_C(-0.484375),
+    SHI_C(0.1142578125), SHI_C(0.1611328125), SHI_C(0.2138671875), SHI_C(-0.4365234375), SHI_C(0.462890625),
+    SHI_C(-0.4052734375), SHI_C(0.466796875), SHI_C(-0.369140625), SHI_C(-0.3515625), SHI_C(-0.3349609375),
+    SHI_C(0.4716796875), SHI_C(0.4736328125), SHI_C(0.474609375), SHI_C(0.1611328125), SHI_C(0.2431640625),
+    SHI_C(0.4609375), SHI_C(0.466796875), SHI_C(0.4716796875), SHI_C(-0.45703125), SHI_C(-0.05078125),
+    SHI_C(-0.4248046875), SHI_C(0.466796875), SHI_C(0.0419921875), SHI_C(0.314453125), SHI_C(0.326171875),
+    SHI_C(-0.1044921875), SHI_C(-0.0830078125), SHI_C(0.4716796875), SHI_C(-0.49609375), SHI_C(0.296875),
+    SHI_C(-0.1611328125), SHI_C(-0.4765625), SHI_C(0.4794921875), SHI_C(-0.2763671875),
+    SHI_C(-0.2451171875), SHI_C(-0.2138671875), SHI_C(-0.185546875), SHI_C(-0.1591796875),
+    SHI_C(-0.134765625), SHI_C(-0.4765625), SHI_C(0.009765625), SHI_C(-0.0732421875), SHI_C(0.3330078125),
+    SHI_C(-0.2392578125), SHI_C(-0.314453125), SHI_C(0.416015625), SHI_C(0.42578125), SHI_C(0.431640625),
+    SHI_C(-0.4404296875), SHI_C(-0.2392578125), SHI_C(0.4814453125), SHI_C(-0.3740234375),
+    SHI_C(-0.4296875), SHI_C(0.3564453125), SHI_C(0.138671875), SHI_C(0.171875), SHI_C(-0.46484375),
+    SHI_C(0.3564453125), SHI_C(-0.2109375), SHI_C(0.4853515625), SHI_C(0.0302734375), SHI_C(0.078125),
+    SHI_C(-0.16015625), SHI_C(0.078125), SHI_C(0.3056640625), SHI_C(0.119140625), SHI_C(-0.4912109375),
+    SHI_C(-0.38671875), SHI_C(-0.3603515625), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0),
     SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0),
-    SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0),
-    SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0),
-    SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(1.0), SHI_C(0.7998046875),
-    SHI_C(0.6669921875), SHI_C(0.5712890625), SHI_C(0.5), SHI_C(0.4443359375), SHI_C(0.400390625),
-    SHI_C(0.36328125), SHI_C(0.3330078125), SHI_C(0.3076171875), SHI_C(0.2861328125), SHI_C(0.2666015625),
-    SHI_C(0.25), SHI_C(0.2353515625), SHI_C(0.22265625), SHI_C(0.2109375), SHI_C(0.2001953125),
-    SHI_C(0.1904296875), SHI_C(0.181640625), SHI_C(0.173828125), SHI_C(0.1669921875), SHI_C(0.16015625),
-    SHI_C(0.154296875), SHI_C(0.1484375), SHI_C(0.142578125), SHI_C(0.1376953125), SHI_C(0.1337890625),
-    SHI_C(0.12890625), SHI_C(0.5), SHI_C(0.3681640625), SHI_C(0.294921875), SHI_C(0.24609375),
-    SHI_C(0.2109375), SHI_C(0.7373046875), SHI_C(0.6923828125), SHI_C(0.6513671875), SHI_C(0.6142578125),
-    SHI_C(0.5810546875), SHI_C(0.5517578125), SHI_C(0.5244140625), SHI_C(0.5), SHI_C(0.4775390625),
-    SHI_C(0.45703125), SHI_C(0.4384765625), SHI_C(0.4208984375), SHI_C(0.404296875), SHI_C(0.3896484375),
-    SHI_C(0.3759765625), SHI_C(0.36328125), SHI_C(0.3505859375), SHI_C(0.33984375), SHI_C(0.3291015625),
-    SHI_C(0.3193359375), SHI_C(0.3095703125), SHI_C(0.2109375), SHI_C(0.970703125), SHI_C(0.923828125),
-    SHI_C(0.875), SHI_C(0.8291015625), SHI_C(0.1513671875), SHI_C(0.13671875), SHI_C(0.1240234375),
-    SHI_C(0.11328125), SHI_C(0.1044921875), SHI_C(0.09765625), SHI_C(0.0908203125), SHI_C(0.0849609375),
-    SHI_C(0.080078125), SHI_C(0.076171875), SHI_C(0.0712890625), SHI_C(0.068359375), SHI_C(0.064453125),
-    SHI_C(0.0615234375), SHI_C(0.0595703125), SHI_C(0.056640625), SHI_C(0.0546875), SHI_C(0.052734375),
-    SHI_C(0.05078125), SHI_C(0.8291015625), SHI_C(0.13671875), SHI_C(0.1103515625), SHI_C(0.0927734375),
-    SHI_C(0.080078125), SHI_C(0.8896484375), SHI_C(0.859375), SHI_C(0.8310546875), SHI_C(0.802734375),
-    SHI_C(0.7763671875), SHI_C(0.7509765625), SHI_C(0.7265625), SHI_C(0.7041015625), SHI_C(0.6826171875),
-    SHI_C(0.662109375), SHI_C(0.642578125), SHI_C(0.625), SHI_C(0.607421875), SHI_C(0.5908203125),
-    SHI_C(0.5751953125), SHI_C(0.560546875), SHI_C(0.5458984375), SHI_C(0.080078125), SHI_C(0.5966796875),
-    SHI_C(0.8115234375), SHI_C(0.7451171875), SHI_C(0.9345703125), SHI_C(0.0576171875), SHI_C(0.251953125),
-    SHI_C(0.2294921875), SHI_C(0.2109375), SHI_C(0.1953125), SHI_C(0.40625), SHI_C(0.3837890625),
-    SHI_C(0.3642578125), SHI_C(0.3466796875), SHI_C(0.3310546875), SHI_C(0.31640625), SHI_C(0.302734375),
-    SHI_C(0.2900390625), SHI_C(0.279296875), SHI_C(0.2685546875), SHI_C(0.9345703125), SHI_C(0.0517578125),
-    SHI_C(0.4638671875), SHI_C(0.9658203125), SHI_C(0.65234375), SHI_C(0.5859375), SHI_C(0.0439453125),
-    SHI_C(0.5185546875), SHI_C(0.486328125), SHI_C(0.8798828125), SHI_C(0.03515625), SHI_C(0.0322265625),
-    SHI_C(0.0302734375), SHI_C(0.8115234375), SHI_C(0.794921875), SHI_C(0.7783203125), SHI_C(0.7626953125),
-    SHI_C(0.7470703125), SHI_C(0.65234375), SHI_C(0.90625), SHI_C(0.984375), SHI_C(0.3857421875),
-    SHI_C(0.3388671875), SHI_C(0.2861328125), SHI_C(0.9365234375), SHI_C(0.037109375), SHI_C(0.9052734375),
-    SHI_C(0.033203125), SHI_C(0.869140625), SHI_C(0.8515625), SHI_C(0.8349609375), SHI_C(0.0283203125),
-    SHI_C(0.0263671875), SHI_C(0.025390625), SHI_C(0.3388671875), SHI_C(0.2568359375), SHI_C(0.0390625),
-    SHI_C(0.033203125), SHI_C(0.0283203125), SHI_C(0.95703125), SHI_C(0.55078125), SHI_C(0.9248046875),
-    SHI_C(0.033203125), SHI_C(0.4580078125), SHI_C(0.185546875), SHI_C(0.173828125), SHI_C(0.6044921875),
-    SHI_C(0.5830078125), SHI_C(0.0283203125), SHI_C(0.99609375), SHI_C(0.203125), SHI_C(0.6611328125),
-    SHI_C(0.9765625), SHI_C(0.0205078125), SHI_C(0.7763671875), SHI_C(0.7451171875), SHI_C(0.7138671875),
-    SHI_C(0.685546875), SHI_C(0.6591796875), SHI_C(0.634765625), SHI_C(0.9765625), SHI_C(0.490234375),
-    SHI_C(0.5732421875), SHI_C(0.1669921875), SHI_C(0.7392578125), SHI_C(0.814453125), SHI_C(0.083984375),
-    SHI_C(0.07421875), SHI_C(0.068359375), SHI_C(0.9404296875), SHI_C(0.7392578125), SHI_C(0.0185546875),
-    SHI_C(0.8740234375), SHI_C(0.9296875), SHI_C(0.1435546875), SHI_C(0.361328125), SHI_C(0.328125),
-    SHI_C(0.96484375), SHI_C(0.1435546875), SHI_C(0.7109375), SHI_C(0.0146484375), SHI_C(0.4697265625),
-    SHI_C(0.421875), SHI_C(0.66015625), SHI_C(0.421875), SHI_C(0.1943359375), SHI_C(0.380859375),
-    SHI_C(0.9912109375), SHI_C(0.88671875), SHI_C(0.8603515625), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0),
-    SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0),
-    SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0), SHI_C(0.0)
+    SHI_C(0.0), SHI_C(0.0), SHI_C(0.0)
 };
 /* [l(l+1) + m]: shi_slope by coefficient */
 static const SHI_T SHI_FN(shi_line_slope)[100] = {

@@ -455,6 +455,12 @@ static void F(spheres)(void **state)
     REFUSED(SH_ERROR_NOT_FINITE, F(sh_spheres_n)(3, SH_GRADIENT, 1, 2, p, COUNT, lights, NULL, o));
     lights[3] = 5;
     p[0] = (T)0.25;
+    {   /* a light nearer than lengths may be */
+        const T origin[3] = { 0, 0, 0 }, near = IS_F32 ? (T)5e-19 : (T)1e-151, light[4] = { near, 0, 0, near * (T)0.8 };
+        F(fill)();
+        REFUSED(SH_ERROR_DIRECTION, F(sh_spheres)(2, SH_VALUES, 1, origin, 1, light, NULL, o));
+        REFUSED(SH_ERROR_DIRECTION, F(sh_sphere)(2, origin, light, light[3], o, NULL));
+    }
     /* NaN radiance is data, of its own channel */
     radiance[COUNT + 3] = F(nan)();
     assert_int_equal(F(sh_spheres)(3, SH_GRADIENT, 2, p, COUNT, lights, radiance, o), SH_OK);

@@ -67,14 +67,14 @@ def horner(m):
 
 
 def nodes(m):
-    """Column m's nodes of Newton's form in t = z^2, multiples of 1/1024: each where (1 - t)^(m/4), half the power that
+    """1/2 - t for column m's nodes t of Newton's form in t = z^2, multiples of 1/1024: each where (1 - t)^(m/4), half the power that
     the column is multiplied by, times the distances from those before is largest (Leja's points)."""
     score = [(1024 - i) ** m for i in range(1025)]
     found = []
     for _ in range(NODES - m // 2):
         found.append(max(range(1025), key=lambda i: score[i]))
         score = [s * (i - found[-1]) ** 4 for i, s in enumerate(score)]
-    return [mpf(i) / 1024 for i in found]
+    return [mpf(512 - i) / 1024 for i in found]
 
 
 def profile(l):
@@ -136,7 +136,7 @@ def block():
         table("shi_zonal", TOP + 1, "[l]: Y_l0(+z) = sqrt((2l+1)/(4 pi))", [sqrt((2 * l + 1) / (4 * pi)) for l in range(TOP + 1)]),
         table("shi_horner", len(flat) + 16, "[100 k + l(l+1) + m]: q_l^|m| = z^((l-m)&1) sum_k c_k (z^2 - 1/2)^k, norm included; "
               "and room to read a register", flat + [mpf(0)] * 16),
-        table("shi_node", len(rows) + 16, "[k(31-k) + m]: node k < (31-m)/2 of column m's form of Newton; and room to read a register",
+        table("shi_node", len(rows) + 16, "[k(31-k) + m]: 1/2 - node k < (31-m)/2 of column m's form of Newton; and room to read a register",
               rows + [mpf(0)] * 16),
         table("shi_line_slope", len(line), "[l(l+1) + m]: shi_slope by coefficient", [sqrt(frac(slope2(l, m))) for l, m in line]),
     ])
