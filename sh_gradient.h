@@ -3628,6 +3628,7 @@ SH_API int SHI_FN(sh_zonal_light)(int bands, const SHI_T to_light[3], const SHI_
  * Error:  |coeffs - exact| <= 24 eps M_l Omega, |grad - exact| <= 32 eps (M_l |grad Omega| + G_l Omega/d),
  *         |hess - exact| <= 64 eps (M_l (|Omega''| + |Omega'|/d) + 2 G_l |Omega'|/d) + (16 + l(l+1)/2) l(l+1) eps M_l Omega/d^2;
  *         all x 1/(1 - (r/d)^2) above r/d = 0.995. Omega(d) = 2 pi (1 - sqrt(1 - (r/d)^2)), ' = d/dd.
+ *         Climbing finds 1.04 of the first at l = 31 in float, near the equator; 0.63 of it to 24 bands.
  * Source: M22 Eq. 9-16 in a form without cancellation, for every r/d. */
 SH_API int SHI_FN(sh_sphere_hessian)(int bands, const SHI_T point[3], const SHI_T center[3], SHI_T radius,
                                      SHI_T *coeffs, SHI_T *grad, SHI_T *hess)
