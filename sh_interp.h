@@ -594,7 +594,7 @@ SHI_NOINLINE int SHI_FN(shi_grid_call)(const SHI_FN(shi_query) *c)
  * Status SH_ERROR_NOT_FINITE: a point is not, its outputs are untouched, those of the others are written.
  * NaN among the coefficients of a node comes out of every query that reads the node.
  * Error:  <= 8 eps of the largest |value|, cell |slope|, cell^2 |Hessian| read, for the long sums of SH_HERMITE_MIXED and
- *         SH_BLENDED_TAYLOR2 24 eps (worst seen 2.2, for data looked for 16), at a point moved by 2 eps |point - origin|;
+ *         SH_BLENDED_TAYLOR2 24 eps (`make test` sees 2.1), at a point moved by 2 eps |point - origin|;
  *         extrapolated t cells out, times (1 + 2|t|)^3 per axis.
  *         One call's point has the bits that it has in any batch.
  * Source: the table on top; M22 5.1 for the grid, A04 Eq. 15 for SH_BLENDED_TAYLOR with the cell's weights. */

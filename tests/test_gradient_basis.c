@@ -337,6 +337,16 @@ static void F(reconstruct)(void **state)
         }
     row_close(wv);
     row_close(wg);
+    for (bands = 1; bands <= SH_MAX_BANDS; bands++) {       /* coefficients near the largest allowed: the same but for the power */
+        const int power = IS_F32 ? 88 : 985;
+        const T dir[3] = { (T)ref_between(-1, 1), (T)ref_between(-1, 1), (T)ref_between(-1, 1) };
+        T one, large;
+        for (i = 0; i < bands * bands; i++) c[i] = (T)ref_between(0.5, 1);
+        assert_int_equal(F(sh_reconstruct)(bands, c, dir, &one, NULL), SH_OK);
+        for (i = 0; i < bands * bands; i++) c[i] = (T)ldexp((double)c[i], power);
+        assert_int_equal(F(sh_reconstruct)(bands, c, dir, &large, NULL), SH_OK);
+        assert_true(large == (T)ldexp((double)one, power));
+    }
 }
 
 /* The sum over samples. */

@@ -229,6 +229,27 @@ static void F(sphere)(void **state)
                 row_check(w[i < 81 ? 0 : 3], c[i], jets[i].v, (long double)EPS * sphere_bound(0, ref_band(i), scale), i);
         }
     for (k = 0; k < 6; k++) row_close(w[k]);
+    w[0] = row_open("sh_sphere, worst lights known / stated", PRECISION);
+    for (turn = 0; turn < 2; turn++) {                      /* found by climbing, for float and 32 bands */
+        static const float found[2][4] = { { -0.0719443113f, -1.31885028f, -0.010741285f, 0.000322446664f },
+                                           { -0.000105554922f, 0.528029501f, 0.00137302245f, 0.000128581756f } };
+        const long double stated = IS_F32 ? 1.1L : 1;
+        T point[3] = { 0, 0, 0 }, center[3];
+        long double p[3] = { 0, 0, 0 }, q[3], rho = 0;
+        cap_scale scale;
+        for (k = 0; k < 3; k++) {
+            center[k] = (T)found[turn][k];
+            q[k] = (long double)center[k];
+            rho += q[k] * q[k];
+        }
+        ref_sphere(SH_MAX_BANDS, p, q, (long double)found[turn][3], jets);
+        scale = scale_of((long double)found[turn][3], sqrtl(rho));
+        assert_int_equal(F(sh_sphere)(SH_MAX_BANDS, point, center, (T)found[turn][3], c, NULL), SH_OK);
+        row_case("light %d", turn);
+        for (i = 0; i < MAX; i++)
+            row_check(w[0], c[i], jets[i].v, stated * (long double)EPS * sphere_bound(0, ref_band(i), scale), i);
+    }
+    row_close(w[0]);
 }
 
 /* A scene: spheres [4][count] and radiance [channels][count]; also what the sum should be, and its bound

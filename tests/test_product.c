@@ -571,6 +571,9 @@ static void F(lobes)(void **state)
         row_case("cosine");
         row_check(wc, (long double)zh[l], want, 8 * (long double)EPS * fabsl((long double)zh[l]) + 1e-17L, l);
     }
+    F(sh_zonal_phong)(SH_MAX_BANDS, IS_F32 ? (T)3.4e38 : (T)1.7e308, zh);            /* a mirror, to rounding */
+    row_case("the largest power");
+    for (l = 0; l < SH_MAX_BANDS; l++) row_check(wp, (long double)zh[l], ref_M(l), 8 * (long double)EPS * ref_M(l), l);
     for (k = 0; k < 7 + effort(60); k++) {          /* z = t^2; high powers: z^(s+1) = e^-y */
         const T power = k < 7 ? powers[k] : (T)ref_log_between(1, 1e4);
         F(sh_zonal_phong)(SH_MAX_BANDS, power, zh);
