@@ -3656,38 +3656,76 @@ SHI_INLINE double shi_dot3(const double a[3], const double b[3])
 }
 
 /* ---- exact differences and products: a value as an unevaluated sum of two doubles (Knuth; Dekker) ----
- * volatile keeps every rounding where it is written, under contraction and -ffast-math too */
+ * shi_rounded keeps every rounding where it is written, under contraction and -ffast-math too */
 
 typedef struct { double h, l; } shi_two;
 
+/* v, of which the compiler then does not know how it came about */
+SHI_INLINE double shi_rounded(double v)
+{
+#if defined(__GNUC__) && defined(__SSE2_MATH__)
+    __asm__("" : "+x"(v));
+#elif defined(__GNUC__) && defined(__aarch64__)
+    __asm__("" : "+w"(v));
+#else
+    volatile double kept = v;
+    v = kept;
+#endif
+    return v;
+}
 SHI_INLINE shi_two shi_two_sum(double a, double b)
 {
-    volatile double s = a + b, t = s - a, u = s - t, v = a - u, w = b - t;
+    const double s = shi_rounded(a + b), t = shi_rounded(s - a), u = shi_rounded(s - t);
     shi_two r;
     r.h = s;
-    r.l = v + w;
+    r.l = shi_rounded(a - u) + shi_rounded(b - t);
+    return r;
+}
+/* ... of |a| >= |b|, or a = 0 */
+SHI_INLINE shi_two shi_two_quick(double a, double b)
+{
+    const double s = shi_rounded(a + b), t = shi_rounded(s - a);
+    shi_two r;
+    r.h = s;
+    r.l = b - t;
+    return r;
+}
+/* a as two halves of 26 bits */
+SHI_INLINE shi_two shi_two_halves(double a)
+{
+    const double c = shi_rounded(134217729.0 * a), d = shi_rounded(c - a);
+    shi_two r;
+    r.h = shi_rounded(c - d);
+    r.l = shi_rounded(a - r.h);
     return r;
 }
 SHI_INLINE shi_two shi_two_product(double a, double b)
 {
-    volatile double p = a * b, c = 134217729.0 * a, d = 134217729.0 * b, t = c - a, u = d - b;
-    volatile double ah = c - t, bh = d - u, al = a - ah, bl = b - bh;
-    volatile double q = ah * bh, e = q - p, f = ah * bl, g = e + f, h = al * bh, i = g + h;
     shi_two r;
-    r.h = p;
-    r.l = i + al * bl;
+    r.h = shi_rounded(a * b);
+#if defined(__FMA__) || defined(__ARM_FEATURE_FMA)
+    r.l = shi_rounded(__builtin_fma(a, b, -r.h));
+#else
+    {
+        const shi_two c = shi_two_halves(a), d = shi_two_halves(b);
+        r.l = shi_rounded(c.h * d.h) - r.h;
+        r.l = shi_rounded(r.l) + shi_rounded(c.h * d.l);
+        r.l = shi_rounded(r.l) + shi_rounded(c.l * d.h);
+        r.l = shi_rounded(r.l) + c.l * d.l;
+    }
+#endif
     return r;
 }
 SHI_INLINE shi_two shi_two_add(shi_two a, shi_two b)
 {
     shi_two s = shi_two_sum(a.h, b.h), t = shi_two_sum(a.l, b.l);
-    s = shi_two_sum(s.h, s.l + t.h);
-    return shi_two_sum(s.h, s.l + t.l);
+    s = shi_two_quick(s.h, s.l + t.h);
+    return shi_two_quick(s.h, s.l + t.l);
 }
 SHI_INLINE shi_two shi_two_times(shi_two a, shi_two b)
 {
     const shi_two p = shi_two_product(a.h, b.h);
-    return shi_two_sum(p.h, p.l + (a.h * b.l + a.l * b.h));
+    return shi_two_quick(p.h, p.l + (a.h * b.l + a.l * b.h));
 }
 SHI_INLINE shi_two shi_two_minus(shi_two a, shi_two b)
 {
@@ -4736,6 +4774,7 @@ SHI_INLINE double shi_scene_read(const shi_scene *p, size_t i)
 SHI_INLINE void shi_scene_open(shi_scene *scene, const double point[3], size_t count, const void *vertices, int floats)
 {
     double extent = 0;
+    unsigned long long bits, e;
     size_t i;
     int k;
     scene->vertices = vertices;
@@ -4747,8 +4786,10 @@ SHI_INLINE void shi_scene_open(shi_scene *scene, const double point[3], size_t c
         const double d = fabs(0.25 * shi_scene_read(scene, i) - 0.25 * point[i % 3]);
         if (d > extent) extent = d;
     }
-    frexp(extent, &k);
-    scene->scale = ldexp(1, -2 - (k > 1000 ? 1000 : k < -1000 ? -1000 : k));
+    memcpy(&bits, &extent, sizeof bits);                    /* the exponent: 2^(e-1023) <= extent */
+    e = bits >> 52;
+    bits = (2043 - (e > 2022 ? 2022 : e < 22 ? 22 : e)) << 52;
+    memcpy(&scene->scale, &bits, sizeof bits);
 }
 
 /* a - b; below 1e-60 of the extent, 0, so that no product of three leaves the range of double */
@@ -4868,8 +4909,8 @@ SHI_NOINLINE void shi_sink_flush(shi_sink *k)
 SHI_INLINE void shi_sink_clear(shi_sink *k)
 {
     k->fill = 0;
-    memset(k->s, 0, (size_t)(k->ns * (k->ns + 1)) * sizeof k->s[0]);
-    memset(k->t, 0, (size_t)(k->nt * (k->nt + 1)) * sizeof k->t[0]);
+    if (k->ns) memset(k->s, 0, (size_t)(k->ns * (k->ns + 1)) * sizeof k->s[0]);
+    if (k->nt) memset(k->t, 0, (size_t)(k->nt * (k->nt + 1)) * sizeof k->t[0]);
 }
 SHI_INLINE void shi_sink_put(shi_sink *k, const double u[3], double w, double v)
 {
@@ -4895,15 +4936,24 @@ SHI_INLINE void shi_sink_add(shi_sink *sink, double *s_out, double *t_out)
 
 SHI_INLINE void shi_arc_nodes(shi_sink *sink, int bands, const shi_arc *e)
 {
-    int panels = 1, n, p, i, k;
+    int panels = 1, n, p, i, j, k;
     while ((n = shi_gauss_count(0.5 * (double)bands * e->gamma / panels, sink->tight)) > 16) panels++;
     for (p = 0; p < panels; p++) {
-        for (i = 0; i < n; i++) {
-            double w, u[3];
-            const double t = shi_gauss_node(n, i, &w), a = e->gamma * (p + t) / panels, c = cos(a), s = sin(a);
-            for (k = 0; k < 3; k++) u[k] = c * e->w[k] + s * e->lambda[k];
-            w *= e->gamma / panels;
-            shi_sink_put(sink, u, w, w * (c * e->k0 + s * e->k1));
+        const double half = 0.5 * e->gamma / panels, a = (2 * p + 1) * half, c = cos(a), s = sin(a);
+        const double k0 = c * e->k0 + s * e->k1, k1 = c * e->k1 - s * e->k0;
+        double middle[3], along[3];
+        for (k = 0; k < 3; k++) {
+            middle[k] = c * e->w[k] + s * e->lambda[k];
+            along[k] = c * e->lambda[k] - s * e->w[k];
+        }
+        for (i = 0; i < (n + 1) / 2; i++) {
+            const double x = shi_gauss_x[n * n / 4 + i], w = half * shi_gauss_w[n * n / 4 + i];
+            double cosine, sine, u[3];
+            SHI_ONE(shi_cos_sin_near)(half * x, &cosine, &sine);
+            for (j = 0; j < (x > 0 ? 2 : 1); j++, sine = -sine) {
+                for (k = 0; k < 3; k++) u[k] = cosine * middle[k] + sine * along[k];
+                shi_sink_put(sink, u, w, w * (cosine * k0 + sine * k1));
+            }
         }
     }
 }
@@ -5087,15 +5137,16 @@ SHI_INLINE int shi_scene_between(const shi_scene *scene)
 /* ---- the engine: coefficients in double, of exact positions ---- */
 
 /* the fan of vertex 0: sums of 6 volumes, of signed solid angles and of their sizes, of directed areas; the least R/(|a||b||c|)
- * of shi_fan_even; the sides of its triangles that the point is on. flat: the point is in all their planes */
+ * of shi_fan_even; the sides of its triangles that the point is on. flat: the point is in all their planes; touched: in one of them,
+ * which it is on an edge */
 typedef struct {
     double volume, signed_sum, spread, area[3], least;
-    int side, flat, empty;
+    int side, flat, empty, touched;
 } shi_fan_sums;
 
 SHI_INLINE shi_fan_sums shi_engine_fan(const shi_scene *scene)
 {
-    shi_fan_sums o = { 0, 0, 0, { 0, 0, 0 }, 4, 0, 1, 1 };
+    shi_fan_sums o = { 0, 0, 0, { 0, 0, 0 }, 4, 0, 1, 1, 0 };
     shi_volume volume = { { 0, 0 }, 0 };
     double normal[3] = { 0, 0, 0 };
     shi_two first[3];
@@ -5106,6 +5157,7 @@ SHI_INLINE shi_fan_sums shi_engine_fan(const shi_scene *scene)
         shi_two d1[3], d2[3], n[3], v[3][3];
         const double det = shi_volume_add(&volume, shi_scene_fan(scene, first, i, d1, d2, n));
         double even, lengths, solid;
+        if (det == 0) o.touched = 1;
         if (n[0].h == 0 && n[1].h == 0 && n[2].h == 0) continue;
         o.empty = 0;
         if (det != 0) o.flat = 0;
@@ -5174,13 +5226,16 @@ SHI_NOINLINE double shi_engine_edges(const shi_scene *scene, int bands, int with
     shi_sink sink;
     shi_arc e;
     size_t i;
+    /* the fan alone gives the solid angle well but near its sides' planes: there exterior angles, modulo 2 pi, and the fan tells
+     * which */
+    const int whole = fan->least > 0.25;
     int have = 0, k, l;
     sink.tight = tight;
     sink.ns = ns;
     sink.nt = nt;
     for (i = 0; i < scene->count; i++) {
         if (shi_scene_arc(scene, i, &e) != 1) continue;
-        if (have) {
+        if (have && !whole) {
             shi_cross3(before, e.mu, c);
             turned = shi_two_add(turned, shi_two_sum(atan2(shi_dot3(e.w, c), shi_dot3(before, e.mu)), 0));
         }
@@ -5201,12 +5256,11 @@ SHI_NOINLINE double shi_engine_edges(const shi_scene *scene, int bands, int with
             for (l = 0; l < slope && with_grad; l++) totals[SHI_SLOPE_AT(bands) + k * slope + l] += e.mu[k] * t[l];
         }
     }
+    if (whole) return fan->signed_sum;
     if (have) {
         shi_cross3(before, start, c);
         turned = shi_two_add(turned, shi_two_sum(atan2(shi_dot3(corner, c), shi_dot3(before, start)), 0));
     }
-    /* exterior angles give the solid angle modulo 2 pi, the fan tells which; the fan alone is poor near its sides' planes */
-    if (fan->least > 0.25) return fan->signed_sum;
     turns = floor((fan->signed_sum + turned.h) / SHI_TAU + 0.5);
     return (SHI_TAU * turns - turned.h) + (2.4492935982947064e-16 * turns - turned.l);      /* 2 pi to 32 digits */
 }
@@ -5274,7 +5328,7 @@ SHI_NOINLINE int shi_polygon_engine(int bands, int sides, int tight, const doubl
 
     fan = shi_engine_fan(&scene);
     if (fan.empty) return SH_OK;
-    for (i = 0; i < count; i++)
+    for (i = 0; i < count && fan.touched; i++)
         if (shi_scene_arc(&scene, i, &e) < 0) on_edge = 1;
     if (fan.flat || on_edge) {
         double part;
