@@ -4780,7 +4780,6 @@ SHI_INLINE void shi_scene_open(shi_scene *scene, const double point[3], size_t c
     scene->vertices = vertices;
     scene->count = count;
     scene->floats = floats;
-    scene->scale = 1;
     for (k = 0; k < 3; k++) scene->point[k] = point[k];
     for (i = 0; i < 3 * count; i++) {
         const double d = fabs(0.25 * shi_scene_read(scene, i) - 0.25 * point[i % 3]);
@@ -5137,8 +5136,8 @@ SHI_INLINE int shi_scene_between(const shi_scene *scene)
 /* ---- the engine: coefficients in double, of exact positions ---- */
 
 /* the fan of vertex 0: sums of 6 volumes, of signed solid angles and of their sizes, of directed areas; the least R/(|a||b||c|)
- * of shi_fan_even; the sides of its triangles that the point is on. flat: the point is in all their planes; touched: in one of them,
- * which it is on an edge */
+ * of shi_fan_even; the sides of its triangles that the point is on. flat: the point is in all their planes; touched: in one of them, as
+ * it is on every edge */
 typedef struct {
     double volume, signed_sum, spread, area[3], least;
     int side, flat, empty, touched;
@@ -5215,39 +5214,49 @@ SHI_INLINE double shi_engine_plane(const shi_scene *scene, const double area[3],
     return part;
 }
 
-/* totals by the edges; returns the solid angle */
-SHI_NOINLINE double shi_engine_edges(const shi_scene *scene, int bands, int with_grad, int tight, const shi_fan_sums *fan,
-                                     double *totals)
+/* The solid angle, signed as the fan. The fan gives it well but near its sides' planes: there the exterior angles give it modulo
+ * 2 pi, and the fan tells which. */
+SHI_INLINE double shi_engine_solid_angle(const shi_scene *scene, const shi_fan_sums *fan)
+{
+    double first[3] = { 0, 0, 0 }, before[3] = { 0, 0, 0 }, corner[3] = { 0, 0, 0 }, c[3], turns;
+    shi_two turned = { 0, 0 };
+    shi_arc e;
+    size_t i;
+    int have = 0;
+    if (fan->least > 0.25) return fan->signed_sum;
+    for (i = 0; i < scene->count; i++) {
+        if (shi_scene_arc(scene, i, &e) != 1) continue;
+        if (have) {
+            shi_cross3(before, e.mu, c);
+            turned = shi_two_add(turned, shi_two_sum(atan2(shi_dot3(e.w, c), shi_dot3(before, e.mu)), 0));
+        } else {
+            memcpy(first, e.mu, sizeof first);
+            memcpy(corner, e.w, sizeof corner);
+        }
+        memcpy(before, e.mu, sizeof before);
+        have = 1;
+    }
+    shi_cross3(before, first, c);
+    turned = shi_two_add(turned, shi_two_sum(atan2(shi_dot3(corner, c), shi_dot3(before, first)), 0));
+    turns = floor((fan->signed_sum + turned.h) / SHI_TAU + 0.5);
+    return (SHI_TAU * turns - turned.h) + (2.4492935982947064e-16 * turns - turned.l);      /* 2 pi to 32 digits */
+}
+
+/* totals by the edges */
+SHI_NOINLINE void shi_engine_edges(const shi_scene *scene, int bands, int with_grad, int tight, double *totals)
 {
     const int ns = bands - 1, nt = with_grad ? bands : 0, flux = ns * bands, slope = bands * (bands + 1);
     double s[(SH_MAX_POLYGON_BANDS + 1) * (SH_MAX_POLYGON_BANDS + 2)], t[(SH_MAX_POLYGON_BANDS + 1) * (SH_MAX_POLYGON_BANDS + 2)];
-    double before[3] = { 0, 0, 0 }, start[3] = { 0, 0, 0 }, corner[3] = { 0, 0, 0 }, c[3], turns;
-    shi_two turned = { 0, 0 };
     shi_sink sink;
     shi_arc e;
     size_t i;
-    /* the fan alone gives the solid angle well but near its sides' planes: there exterior angles, modulo 2 pi, and the fan tells
-     * which */
-    const int whole = fan->least > 0.25;
-    int have = 0, k, l;
+    int k, l;
+    if (!ns && !nt) return;
     sink.tight = tight;
     sink.ns = ns;
     sink.nt = nt;
     for (i = 0; i < scene->count; i++) {
         if (shi_scene_arc(scene, i, &e) != 1) continue;
-        if (have && !whole) {
-            shi_cross3(before, e.mu, c);
-            turned = shi_two_add(turned, shi_two_sum(atan2(shi_dot3(e.w, c), shi_dot3(before, e.mu)), 0));
-        }
-        for (k = 0; k < 3; k++) {
-            before[k] = e.mu[k];
-            if (!have) {
-                start[k] = e.mu[k];
-                corner[k] = e.w[k];
-            }
-        }
-        have = 1;
-        if (!ns && !nt) continue;
         shi_sink_clear(&sink);
         shi_arc_nodes(&sink, bands, &e);
         shi_sink_add(&sink, s, t);
@@ -5256,13 +5265,6 @@ SHI_NOINLINE double shi_engine_edges(const shi_scene *scene, int bands, int with
             for (l = 0; l < slope && with_grad; l++) totals[SHI_SLOPE_AT(bands) + k * slope + l] += e.mu[k] * t[l];
         }
     }
-    if (whole) return fan->signed_sum;
-    if (have) {
-        shi_cross3(before, start, c);
-        turned = shi_two_add(turned, shi_two_sum(atan2(shi_dot3(corner, c), shi_dot3(before, start)), 0));
-    }
-    turns = floor((fan->signed_sum + turned.h) / SHI_TAU + 0.5);
-    return (SHI_TAU * turns - turned.h) + (2.4492935982947064e-16 * turns - turned.l);      /* 2 pi to 32 digits */
 }
 
 /* totals by the triangles of the fan */
@@ -5314,7 +5316,7 @@ SHI_NOINLINE int shi_polygon_engine(int bands, int sides, int tight, const doubl
                                     int floats, double *coeffs, double *grad, double *fan_size)
 {
     const int size = bands * bands, planes = grad ? SH_GRADIENT : SH_VALUES;
-    double totals[SHI_TOTALS(SH_MAX_POLYGON_BANDS)], out[4 * SH_MAX_POLYGON_BANDS * SH_MAX_POLYGON_BANDS], sign = -1, omega = 0;
+    double totals[SHI_TOTALS(SH_MAX_POLYGON_BANDS)], out[4 * SH_MAX_POLYGON_BANDS * SH_MAX_POLYGON_BANDS], sign = -1;
     shi_scene scene;
     shi_fan_sums fan;
     shi_arc e;
@@ -5347,11 +5349,11 @@ SHI_NOINLINE int shi_polygon_engine(int bands, int sides, int tight, const doubl
 
     memset(totals, 0, (size_t)SHI_TOTALS(bands) * sizeof totals[0]);
     tight = tight || fan.spread < 1e-2;                     /* edges of a small light cancel what 2e-10 leaves */
-    if (edges) omega = shi_engine_edges(&scene, bands, grad != NULL, tight, &fan, totals);
+    if (edges) shi_engine_edges(&scene, bands, grad != NULL, tight, totals);
     else shi_engine_surface(&scene, bands, grad != NULL, tight, totals);
     SHI_ONE(shi_polygon_finish)(bands, planes, !edges, totals, out);
     if (status == SH_OK) {
-        if (edges) out[0] = omega * SHI_Y00;
+        if (edges) out[0] = shi_engine_solid_angle(&scene, &fan) * SHI_Y00;
         for (i = 0; i < (size_t)size; i++) coeffs[i] = fan.flat ? 0 : sign * out[i];
     }
     for (i = 0; grad && i < 3 * (size_t)size; i++) grad[i] = sign * scene.scale * out[(size_t)size + i];
